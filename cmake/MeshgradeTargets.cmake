@@ -1,0 +1,25 @@
+# What every target of our own has in common: language level, warnings as
+# errors, and the sanitizers where the preset asks for them.
+
+add_library(meshgrade_options INTERFACE)
+target_compile_features(meshgrade_options INTERFACE cxx_std_20)
+target_compile_options(meshgrade_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Werror)
+if(MESHGRADE_SANITIZE)
+  target_compile_options(meshgrade_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(meshgrade_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# meshgrade_room(<name> SOURCES <files...> [USES <targets...>])
+#
+# One room of the grader is one static library, so that the linker sees the
+# one-way dependencies between rooms. Rooms include each other as
+# "grader/<room>/<file>.h".
+function(meshgrade_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES" ${ARGN})
+  add_library(meshgrade_${name} STATIC ${ROOM_SOURCES})
+  target_include_directories(meshgrade_${name} PUBLIC "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(meshgrade_${name} PUBLIC ${ROOM_USES} PRIVATE meshgrade_options)
+  target_compile_features(meshgrade_${name} PUBLIC cxx_std_20)
+endfunction()
