@@ -1,0 +1,254 @@
+#pragma once
+
+// Storage of mesh elements with the guarantees of std::list that students rely on: elements
+// keep their address while others come and go, new ones are appended at the end, a stored end
+// stays valid, and a running loop visits what is appended meanwhile. Elements lie next to each
+// other in chunks that double in size, which makes walks several times faster than a list.
+//
+// A slot is never used twice. So a handle to a deleted element always finds the mark "deleted"
+// and never, by accident, somebody else.
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace meshedit {
+
+template <class T>
+class Handle;
+class Halfedge;
+
+namespace detail {
+
+enum class SlotState : std::uint32_t {
+  kLoose = 0,    ///< a copy of an element, outside any mesh
+  kLive = 1,     ///< an element of a mesh
+  kDeleted = 2,  ///< an element that was deleted
+  kLink = 3,     ///< no element: leads on to the next chunk or to the end
+  kEnd = 4,      ///< no element: the end of the list
+};
+
+constexpr std::size_t kMaxElements = (std::size_t{1} << 29U) - 1;
+
+/// Eight bytes in front of every element: its state, its place in the list, and its mesh.
+class Tag {
+ public:
+  Tag() = default;
+  Tag(SlotState state, std::size_t index, std::uint32_t mesh)
+      : word_(static_cast<std::uint32_t>(index << 3U) | static_cast<std::uint32_t>(state)),
+        mesh_(mesh) {}
+
+  SlotState state() const { return static_cast<SlotState>(word_ & 7U); }
+  std::uint32_t index() const { return word_ >> 3U; }
+  std::uint32_t mesh() const { return mesh_; }
+
+ private:
+  std::uint32_t word_ = 0;
+  std::uint32_t mesh_ = 0;
+};
+
+struct Inspector;
+class MeshBuilder;
+
+/// Base of all elements. Copying an element copies its contents, never its place in a mesh.
+class Element {
+ public:
+  Element() = default;
+  Element(const Element& /*other*/) : Element() {}
+  Element& operator=(const Element& /*other*/) { return *this; }
+  ~Element() = default;
+
+ private:
+  template <class T>
+  friend class Pool;
+  template <class T>
+  friend class meshedit::Handle;
+  friend class meshedit::Halfedge;
+  friend struct Inspector;
+
+  Tag tag_;
+};
+
+template <class T>
+class Pool {
+ public:
+  Pool() { end_.set(SlotState::kEnd, kMaxElements, 0, this); }
+  Pool(const Pool&) = delete;
+  Pool& operator=(const Pool&) = delete;
+  ~Pool() { clear(); }
+
+  std::size_t size() const { return live_; }
+  bool empty() const { return live_ == 0; }
+  Handle<T> begin() { return Handle<T>(first()); }
+  Handle<T> end() { return Handle<T>(end_address()); }
+  Handle<const T> begin() const { return Handle<const T>(const_cast<Pool*>(this)->first()); }
+  Handle<const T> end() const {
+    return Handle<const T>(const_cast<Pool*>(this)->end_address());
+  }
+
+  /// Appends an element for the mesh numbered `mesh`. Handles to others stay valid.
+  template <class... Args>
+  T* append(std::uint32_t mesh, Args&&... args) {
+    if (used_ == kMaxElements) throw std::bad_alloc();
+    if (chunk_of(used_) == chunks_.size()) add_chunk();
+    T* slot = at(used_);
+    ::new (static_cast<void*>(slot)) T(std::forward<Args>(args)...);
+    slot->tag_ = Tag(SlotState::kLive, used_, mesh);
+    end_.set(SlotState::kEnd, kMaxElements, mesh, this);
+    ++used_;
+    ++live_;
+    if (offset_of(used_) != 0) link_at(at(used_)).set(SlotState::kLink, 0, mesh, &end_);
+    return slot;
+  }
+
+  /// Marks a live element as deleted. Its slot stays, so that old handles can be told.
+  void remove(T* element) {
+    element->tag_ = Tag(SlotState::kDeleted, element->tag_.index(), element->tag_.mesh());
+    --live_;
+  }
+
+  /// Destroys all elements and frees their memory.
+  void clear() {
+    for (std::size_t i = 0; i < used_; ++i) {
+      T* slot = at(i);
+      slot->tag_ = Tag(SlotState::kDeleted, i, slot->tag_.mesh());
+      slot->~T();
+    }
+    for (T* chunk : chunks_)
+      ::operator delete(static_cast<void*>(chunk - 1));
+    chunks_.clear();
+    used_ = live_ = 0;
+  }
+
+  /// Slots in use, live or deleted: indices run from 0 to slots() - 1.
+  std::size_t slots() const { return used_; }
+
+  /// The element with this index, live or deleted.
+  T* at(std::size_t index) const { return chunks_[chunk_of(index)] + offset_of(index); }
+
+  /// The index of the element at this address, or -1 if none of this pool is there. Never
+  /// reads what the address points to.
+  std::ptrdiff_t find(const void* address) const {
+    const auto place = reinterpret_cast<std::uintptr_t>(address);
+    for (std::size_t k = 0; k < chunks_.size(); ++k) {
+      const auto base = reinterpret_cast<std::uintptr_t>(chunks_[k]);
+      if (place < base || place >= base + chunk_size(k) * sizeof(T)) continue;
+      const std::size_t index = chunk_size(k) - kFirstChunk + (place - base) / sizeof(T);
+      const bool aligned = (place - base) % sizeof(T) == 0;
+      return aligned && index < used_ ? static_cast<std::ptrdiff_t>(index) : -1;
+    }
+    return -1;
+  }
+
+  bool is_end(const void* address) const { return address == &end_; }
+
+  /// The live element after this one, or the end.
+  static T* next(T* element) {
+    T* slot = element + 1;
+    for (;;) {
+      switch (slot->tag_.state()) {
+        case SlotState::kLink:
+          slot = static_cast<T*>(link_at(slot).target);
+          break;
+        case SlotState::kDeleted:
+          ++slot;
+          break;
+        default:
+          return slot;
+      }
+    }
+  }
+
+  /// The live element before this one or before the end; nullptr if there is none.
+  static T* previous(T* element) {
+    T* slot = element;
+    if (element->tag_.state() == SlotState::kEnd) {
+      const Pool* pool = static_cast<const Pool*>(link_at(element).target);
+      if (pool->used_ == 0) return nullptr;
+      slot = pool->at(pool->used_);
+    }
+    for (--slot;;) {
+      switch (slot->tag_.state()) {
+        case SlotState::kLink:
+          slot = static_cast<T*>(link_at(slot).target);
+          if (slot == nullptr) return nullptr;
+          break;
+        case SlotState::kDeleted:
+          --slot;
+          break;
+        default:
+          return slot;
+      }
+    }
+  }
+
+ private:
+  /// Stands in a slot that holds no element. Chunks begin and end with one.
+  struct Link : Element {
+    void* target = nullptr;
+
+    void set(SlotState state, std::size_t index, std::uint32_t mesh, void* new_target) {
+      this->tag_ = Tag(state, index, mesh);
+      target = new_target;
+    }
+  };
+
+  static constexpr std::size_t kFirstChunk = 16;
+
+  // Chunk k holds kFirstChunk * 2^k elements, so that index arithmetic finds the chunk.
+  static std::size_t chunk_of(std::size_t index) {
+    std::size_t chunk = 0;
+#if defined(__GNUC__)
+    chunk = static_cast<std::size_t>(63 - __builtin_clzll(index + kFirstChunk)) - 4;
+#else
+    for (std::size_t i = (index + kFirstChunk) / kFirstChunk; i > 1; i /= 2)
+      ++chunk;
+#endif
+    return chunk;
+  }
+  static std::size_t chunk_size(std::size_t chunk) {
+    return kFirstChunk << chunk;
+  }
+  static std::size_t offset_of(std::size_t index) {
+    return index + kFirstChunk - chunk_size(chunk_of(index));
+  }
+
+  static Link& link_at(T* slot) {
+    static_assert(sizeof(Link) <= sizeof(T) && alignof(Link) <= alignof(T), "links fit");
+    return *reinterpret_cast<Link*>(slot);
+  }
+
+  void add_chunk() {
+    const std::size_t size = chunk_size(chunks_.size());
+    chunks_.reserve(chunks_.size() + 1);
+    T* before = static_cast<T*>(::operator new((size + 2) * sizeof(T)));
+    T* chunk = before + 1;
+    T* previous_last = chunks_.empty() ? nullptr : at(used_ - 1);
+    ::new (static_cast<void*>(before)) Link();
+    ::new (static_cast<void*>(chunk + size)) Link();
+    link_at(before).set(SlotState::kLink, 0, 0, previous_last);
+    link_at(chunk + size).set(SlotState::kLink, 0, 0, &end_);
+    if (previous_last != nullptr) link_at(previous_last + 1).target = chunk;
+    chunks_.push_back(chunk);
+  }
+
+  T* first() {
+    if (used_ == 0) return end_address();
+    T* slot = at(0);
+    return slot->tag_.state() == SlotState::kLive ? slot : next(slot);
+  }
+  T* end_address() {
+    return reinterpret_cast<T*>(&end_);
+  }
+
+  std::vector<T*> chunks_;
+  std::size_t used_ = 0;
+  std::size_t live_ = 0;
+  Link end_;
+};
+
+}  // namespace detail
+}  // namespace meshedit
