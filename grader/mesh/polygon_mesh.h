@@ -16,6 +16,11 @@ using Point3 = std::array<double, 3>;
 struct PolygonMesh {
   std::vector<Point3> positions;
   std::vector<std::vector<std::uint32_t>> polygons;
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(positions, polygons);
+  }
 };
 
 }  // namespace meshgrade

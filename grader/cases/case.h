@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace meshgrade {
+
+/// One thing that a student's function is asked to do.
+struct Case {
+  std::string exercise;  ///< "edge_split"
+  std::string group;     ///< "basic", "boundary", ...: the unit that points are given for
+  int number = 0;        ///< from 1, within the group
+  std::string title;     ///< what is asked, in plain words: "split v0-v1 of the octahedron"
+  std::string input;     ///< packed; each exercise has a struct for it
+  std::uint64_t step_budget = 0;  ///< handle uses that a good solution never needs
+
+  /// "edge_split:boundary/7"
+  std::string id() const { return exercise + ":" + group + "/" + std::to_string(number); }
+};
+
+}  // namespace meshgrade

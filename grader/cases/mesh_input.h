@@ -1,0 +1,67 @@
+#pragma once
+
+// What the mesh exercises ask, as it goes to the worker, and what comes back. C++17.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "grader/mesh/mesh_dump.h"
+#include "grader/mesh/polygon_mesh.h"
+
+namespace meshgrade {
+
+enum class OperationKind : std::uint32_t { kFlip = 0, kSplit = 1 };
+
+/// One flip or split. The edge is named by its end points, and these by their place among the
+/// live vertices, so that the numbering of a solution's new edges does not matter.
+struct Operation {
+  OperationKind kind = OperationKind::kFlip;
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+};
+
+struct OperationsInput {
+  PolygonMesh mesh;
+  std::vector<Operation> operations;
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(mesh, operations);
+  }
+};
+
+/// What one operation left behind.
+struct OperationStep {
+  Ref edge = kUnsetRef;      ///< the edge that was asked for; unset if there was none
+  Ref returned = kUnsetRef;  ///< the edge or vertex that the function returned
+  MeshDump after;
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(edge, returned, after);
+  }
+};
+
+/// Loop subdivision: the worker sends a MeshDump after each level.
+struct SubdivisionInput {
+  PolygonMesh mesh;
+  std::uint32_t levels = 1;
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(mesh, levels);
+  }
+};
+
+/// Vertex normals: the worker sends a Point3 for each vertex, in order.
+struct NormalInput {
+  PolygonMesh mesh;
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(mesh);
+  }
+};
+
+}  // namespace meshgrade

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grader/mesh/polygon_mesh.h"
+
+namespace meshgrade {
+
+/// Walks over a text file line by line and word by word, and knows the line for messages.
+/// Words are separated by blanks; '#' starts a comment. Every fault is a UserError with
+/// "<file>:<line>:" in front.
+class TextScanner {
+ public:
+  TextScanner(std::filesystem::path file, std::string_view text)
+      : file_(std::move(file)), text_(text), size_(text.size()) {}
+
+  /// Goes to the next line that holds a word. False at the end of the text.
+  bool next_line();
+  /// As next_line, but the text must not end here; `expected` says what is missing.
+  void require_line(const std::string& expected);
+
+  /// The next word of this line, empty at the end of the line.
+  std::string_view next_word();
+  /// A finite number that single precision can hold, too.
+  double next_number(const std::string& expected);
+  Point3 next_point(const std::string& expected);
+  /// A whole number from -2^31 to 2^32 - 1.
+  std::int64_t next_integer(const std::string& expected);
+  std::uint32_t next_index(const std::string& expected);
+  /// Refuses anything that is left on this line.
+  void end_line();
+
+  /// Where the next line begins, in bytes from the start of the text.
+  std::size_t offset() const { return size_ - text_.size(); }
+  std::string place() const { return std::to_string(line_); }
+  const std::filesystem::path& file() const { return file_; }
+  [[noreturn]] void refuse(const std::string& what) const;
+
+ private:
+  std::filesystem::path file_;
+  std::string_view text_;
+  std::size_t size_;
+  std::string_view rest_of_line_;
+  std::size_t line_ = 0;
+};
+
+/// A finite number that single precision can hold, from the whole of `word`, in the locale of
+/// no country. False if it is anything else.
+bool parse_number(std::string_view word, double& number);
+
+/// A whole number, from the whole of `word`.
+bool parse_integer(std::string_view word, std::int64_t& number);
+
+}  // namespace meshgrade

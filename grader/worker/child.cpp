@@ -1,0 +1,214 @@
+#include "grader/worker/child.h"
+
+#include <execinfo.h>
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "grader/worker/exercises.h"
+#include "meshedit/fault.h"
+
+namespace meshgrade {
+namespace {
+
+constexpr int kDepth = 64;
+constexpr rlim_t kMemoryToReport = rlim_t{256} << 20U;
+
+/// What the handlers of faults and signals need to know: they have no other way to learn it.
+struct Running {
+  const TaskList* list = nullptr;
+  SharedState* shared = nullptr;
+  Recorder* recorder = nullptr;
+};
+Running running;
+
+std::vector<std::uint64_t> call_stack() {
+  void* frames[kDepth];
+  const int depth = ::backtrace(frames, kDepth);
+  std::vector<std::uint64_t> stack;
+  for (int i = 0; i < depth; ++i) stack.push_back(reinterpret_cast<std::uintptr_t>(frames[i]));
+  return stack;
+}
+
+void run_exercise(const Task& task, Recorder& recorder) {
+  WireReader input(task.input);
+#define MESHGRADE_EXERCISE(name) \
+  if (task.exercise == #name) return run_##name(input, recorder);
+#include "exercise_list.inc"
+#undef MESHGRADE_EXERCISE
+  throw WireError("no such exercise: " + task.exercise);
+}
+
+[[noreturn]] void end_task(EndFrame frame) {
+  meshedit::detail::steps_left = INT64_MAX;
+  frame.task = running.shared->tasks_done;
+  write_end(std::move(frame), *running.shared, running.list->result_bytes);
+  ::_exit(kTaskRecordedStatus);
+}
+
+[[noreturn]] void on_fault(const meshedit::Fault& fault) {
+  meshedit::detail::steps_left = INT64_MAX;
+  EndFrame frame;
+  frame.ending = Ending::kFault;
+  frame.fault_kind = static_cast<std::uint32_t>(fault.kind);
+  frame.subject = fault.subject;
+  frame.stack = call_stack();
+  frame.interrupted = running.recorder->interrupted_state();
+  end_task(std::move(frame));
+}
+
+[[noreturn]] void on_terminate() {
+  EndFrame frame;
+  frame.ending = Ending::kException;
+  frame.stack = call_stack();
+  try {
+    if (std::current_exception()) {
+      std::rethrow_exception(std::current_exception());
+    } else {
+      frame.subject = "std::terminate was called";
+    }
+  } catch (const std::exception& error) {
+    frame.subject = error.what();
+  } catch (...) {
+    frame.subject = "an exception that is no std::exception";
+  }
+  end_task(std::move(frame));
+}
+
+/// The soft limit is what the student may use; the hard one leaves room to say that it was
+/// reached.
+void limit_memory(std::uint64_t bytes) {
+  if (bytes == 0) return;
+  const rlimit limit{static_cast<rlim_t>(bytes), static_cast<rlim_t>(bytes) + kMemoryToReport};
+  ::setrlimit(RLIMIT_AS, &limit);
+}
+
+[[noreturn]] void on_out_of_memory() {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_AS, &limit);
+  std::set_new_handler(nullptr);
+  EndFrame frame;
+  frame.ending = Ending::kOutOfMemory;
+  frame.stack = call_stack();
+  end_task(std::move(frame));
+}
+
+/// Notes where the code was and dies. Only async-signal-safe calls: backtrace() is one once it
+/// has been called before.
+void on_signal(int signal) {
+  void* frames[kDepth];
+  const int depth = ::backtrace(frames, kDepth);
+  for (int i = 0; i < depth; ++i) {
+    running.shared->stack[i] = reinterpret_cast<std::uintptr_t>(frames[i]);
+  }
+  running.shared->stack_size = static_cast<std::uint32_t>(depth);
+  running.shared->signal = signal;
+  ::_exit(kSignalNotedStatus);
+}
+
+void catch_signals() {
+  // A stack of its own for the handler: an endless recursion has used up the other.
+  static char stack[1U << 16U];
+  stack_t alternate{};
+  alternate.ss_sp = stack;
+  alternate.ss_size = sizeof stack;
+  ::sigaltstack(&alternate, nullptr);
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  action.sa_flags = SA_ONSTACK;
+  ::sigemptyset(&action.sa_mask);
+  for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPROF}) {
+    ::sigaction(signal, &action, nullptr);
+  }
+}
+
+void set_timer(std::uint32_t milliseconds) {
+  itimerval timer{};
+  timer.it_value.tv_sec = milliseconds / 1000;
+  timer.it_value.tv_usec = static_cast<suseconds_t>(milliseconds % 1000) * 1000;
+  ::setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
+void run_task(const Task& task) {
+  Recorder recorder;
+  running.recorder = &recorder;
+  meshedit::detail::steps_left = static_cast<std::int64_t>(task.step_budget);
+  set_timer(task.cpu_ms);
+  EndFrame frame;
+  try {
+    run_exercise(task, recorder);
+  } catch (const WireError& error) {  // nothing of the student's throws this
+    frame.ending = Ending::kWorkerFailed;
+    frame.subject = error.what();
+  }
+  set_timer(0);
+  meshedit::detail::steps_left = INT64_MAX;
+  frame.task = running.shared->tasks_done;
+  write_end(std::move(frame), *running.shared, running.list->result_bytes);
+}
+
+std::string frame_bytes(FrameKind kind, const std::string& payload) {
+  WireWriter writer;
+  writer(kind);
+  return writer.take() + payload;
+}
+
+}  // namespace
+
+void Recorder::write_step(const std::string& bytes) {
+  const StepFrame frame{running.shared->tasks_done, bytes};
+  if (append_frame(kResultFile, *running.shared,
+                   frame_bytes(FrameKind::kStep, to_wire(frame)),
+                   running.list->result_bytes)) {
+    return;
+  }
+  EndFrame end;
+  end.ending = Ending::kOutputLimit;
+  end_task(std::move(end));
+}
+
+void write_end(EndFrame frame, SharedState& shared, std::uint64_t limit) {
+  std::cout.flush();
+  std::fflush(nullptr);
+  struct stat printed {};
+  ::fstat(kOutputFile, &printed);
+  frame.output_bytes = static_cast<std::uint64_t>(printed.st_size);
+  frame.output.resize(std::min<std::size_t>(frame.output_bytes, kKeptOutputBytes));
+  const ssize_t kept = ::pread(kOutputFile, frame.output.data(), frame.output.size(), 0);
+  frame.output.resize(kept > 0 ? static_cast<std::size_t>(kept) : 0);
+  if (::ftruncate(kOutputFile, 0) != 0) frame.output.clear();
+  const std::uint64_t room = limit + (1U << 20U);  // so that the end itself can always be told
+  if (!append_frame(kResultFile, shared, frame_bytes(FrameKind::kEnd, to_wire(frame)), room)) {
+    frame.interrupted.clear();
+    append_frame(kResultFile, shared, frame_bytes(FrameKind::kEnd, to_wire(frame)), room);
+  }
+  ++shared.tasks_done;
+}
+
+void run_tasks(const TaskList& list, SharedState& shared) {
+  running = {&list, &shared, nullptr};
+  ::dup2(kOutputFile, STDOUT_FILENO);
+  ::dup2(kOutputFile, STDERR_FILENO);
+  ::setvbuf(stdout, nullptr, _IOLBF, 1U << 12U);
+  call_stack();  // loads what backtrace() needs, so that it may be called in a signal handler
+  catch_signals();
+  std::set_terminate(on_terminate);
+  std::set_new_handler(on_out_of_memory);
+  meshedit::detail::fault_handler = on_fault;
+  limit_memory(list.memory_bytes);
+  while (shared.tasks_done < list.tasks.size()) run_task(list.tasks[shared.tasks_done]);
+  ::_exit(0);
+}
+
+}  // namespace meshgrade

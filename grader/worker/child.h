@@ -1,0 +1,21 @@
+#pragma once
+
+#include "grader/base/protocol.h"
+#include "grader/worker/result_file.h"
+
+namespace meshgrade {
+
+/// The child ends with this after it has written down by itself how its task ended.
+constexpr int kTaskRecordedStatus = 90;
+/// The child ends with this after it has noted a signal in the shared state.
+constexpr int kSignalNotedStatus = 92;
+/// The worker ends with this when it cannot do its own part.
+constexpr int kWorkerFailedStatus = 91;
+
+/// Runs the tasks from the first that is not done. Never returns: ends the process.
+[[noreturn]] void run_tasks(const TaskList& list, SharedState& shared);
+
+/// Completes the frame with what was printed, writes it, and counts its task as done.
+void write_end(EndFrame frame, SharedState& shared, std::uint64_t limit);
+
+}  // namespace meshgrade

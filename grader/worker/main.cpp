@@ -1,0 +1,124 @@
+// The worker: runs student code on the tasks that the grader gives it.
+//
+// Theory of operation. The worker forks one child, which runs the tasks in order and writes
+// down what the student's code leaves behind. When a task kills the child, the parent writes
+// down how, and forks a new child that goes on with the next task. So a task costs a fork only
+// when the one before it went wrong. Nothing in this process knows a right answer.
+
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+#include "grader/base/protocol.h"
+#include "grader/worker/child.h"
+#include "grader/worker/result_file.h"
+
+namespace meshgrade {
+namespace {
+
+std::string read_whole_file(int file) {
+  std::string bytes;
+  char buffer[65536];
+  for (ssize_t n = 0; (n = ::read(file, buffer, sizeof buffer)) > 0;) {
+    bytes.append(buffer, static_cast<std::size_t>(n));
+  }
+  return bytes;
+}
+
+/// Waits until the child has died, or has spent too long on one task and was killed.
+/// @return true if it was killed
+bool watch(pid_t child, int life_line, const TaskList& list, const SharedState& shared) {
+  for (;;) {
+    const std::uint32_t task = shared.tasks_done;
+    const std::uint32_t patience =
+        task < list.tasks.size() ? list.tasks[task].wall_ms : 1000;
+    pollfd death{life_line, POLLIN, 0};
+    const int ready = ::poll(&death, 1, static_cast<int>(patience));
+    if (ready > 0) return false;
+    if (ready == 0 && shared.tasks_done == task) {
+      ::kill(child, SIGKILL);
+      return true;
+    }
+  }
+}
+
+Ending classify(int status, bool overdue, const SharedState& shared) {
+  const int signal = shared.signal;
+  if (overdue || signal == SIGPROF || signal == SIGXCPU) return Ending::kOutOfTime;
+  if (signal != 0) return Ending::kSignal;
+  if (WIFEXITED(status)) return Ending::kExit;
+  if (WTERMSIG(status) == SIGXFSZ) return Ending::kOutputLimit;
+  if (WTERMSIG(status) == SIGXCPU) return Ending::kOutOfTime;
+  return Ending::kSignal;
+}
+
+/// Writes down how the child died, in its place.
+void record_death(const TaskList& list, SharedState& shared, int status, bool overdue) {
+  EndFrame frame;
+  frame.task = shared.tasks_done;
+  frame.ending = classify(status, overdue, shared);
+  frame.code = shared.signal != 0 ? shared.signal.load()
+               : WIFEXITED(status) ? WEXITSTATUS(status)
+                                   : WTERMSIG(status);
+  const std::uint32_t depth = std::min<std::uint32_t>(shared.stack_size, 64);
+  frame.stack.assign(shared.stack, shared.stack + depth);
+  write_end(std::move(frame), shared, list.result_bytes);
+}
+
+/// Runs tasks in one child, from the first that is not done. @return false if all are done
+bool run_some(const TaskList& list, SharedState& shared) {
+  int life_line[2];
+  if (::pipe(life_line) != 0) std::exit(kWorkerFailedStatus);
+  shared.signal = 0;
+  shared.stack_size = 0;
+  const std::uint32_t first = shared.tasks_done;
+  const pid_t child = ::fork();
+  if (child < 0) std::exit(kWorkerFailedStatus);
+  if (child == 0) {
+    ::close(life_line[0]);
+    run_tasks(list, shared);
+  }
+  ::close(life_line[1]);
+  const bool overdue = watch(child, life_line[0], list, shared);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ::close(life_line[0]);
+  if (shared.tasks_done >= list.tasks.size()) return false;
+  const bool recorded = WIFEXITED(status) && WEXITSTATUS(status) == kTaskRecordedStatus;
+  if (recorded && !overdue && shared.tasks_done > first) return true;
+  record_death(list, shared, status, overdue);
+  return shared.tasks_done < list.tasks.size();
+}
+
+int run_worker() {
+  const TaskList list = from_wire<TaskList>(read_whole_file(kTaskFile));
+  ::close(kTaskFile);
+  if (list.version != kProtocolVersion) return kWorkerFailedStatus;
+  void* memory = ::mmap(nullptr, sizeof(SharedState), PROT_READ | PROT_WRITE,
+                        MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return kWorkerFailedStatus;
+  auto* shared = ::new (memory) SharedState;
+  if (list.tasks.empty()) return 0;
+  while (run_some(list, *shared)) {
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace meshgrade
+
+int main() {
+  try {
+    return meshgrade::run_worker();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "worker: %s\n", error.what());
+    return meshgrade::kWorkerFailedStatus;
+  }
+}
