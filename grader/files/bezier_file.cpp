@@ -34,7 +34,8 @@ std::size_t read_count(TextScanner& scanner, const std::string& what, std::uint3
 
 std::size_t words_on_line(TextScanner ahead) {
   std::size_t n_words = 0;
-  while (!ahead.next_word().empty()) ++n_words;
+  while (!ahead.next_word().empty())
+    ++n_words;
   return n_words;
 }
 
@@ -74,7 +75,8 @@ std::vector<ControlNet> read_bez(const std::filesystem::path& file) {
   const std::size_t n_patches = read_count(scanner, "patches", 1, kMostPatches);
   scanner.end_line();
   std::vector<ControlNet> patches;
-  for (std::size_t p = 0; p < n_patches; ++p) patches.push_back(read_net(scanner, p));
+  for (std::size_t p = 0; p < n_patches; ++p)
+    patches.push_back(read_net(scanner, p));
   refuse_more(scanner, "patches");
   return patches;
 }

@@ -10,9 +10,10 @@ namespace meshgrade {
 namespace {
 
 constexpr std::array<std::string_view, 26> kIgnoredKeywords = {
-    "vt",  "vn",   "vp",     "vc",     "g",      "o",    "s",     "mg",     "l",
-    "p",   "mtllib", "usemtl", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod",
-    "shadow_obj", "trace_obj", "cstype", "deg", "curv", "surf", "parm", "end"};
+    "vt",    "vn",       "vp",       "vc",     "g",          "o",         "s",
+    "mg",    "l",        "p",        "mtllib", "usemtl",     "usemap",    "maplib",
+    "bevel", "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj", "cstype",
+    "deg",   "curv",     "surf",     "parm",   "end"};
 
 /// A face that names a vertex which had not come yet when its line was read.
 struct ForwardFace {
@@ -27,14 +28,16 @@ std::uint32_t corner_vertex(const TextScanner& scanner, std::string_view word,
   const std::string_view digits = word.substr(0, word.find('/'));
   std::int64_t number = 0;
   if (!parse_integer(digits, number) || number > INT32_MAX || number < -INT32_MAX) {
-    scanner.refuse(quoted(word) + " where a vertex number should be; OBJ counts 1, 2, 3, ...");
+    scanner.refuse(in_quotes(word) +
+                   " where a vertex number should be; OBJ counts 1, 2, 3, ...");
   }
   if (number == 0) scanner.refuse("vertex number 0; OBJ counts vertices from 1");
   if (number > 0) return static_cast<std::uint32_t>(number - 1);
   const std::int64_t index = static_cast<std::int64_t>(n_vertices_so_far) + number;
   if (index < 0) {
-    scanner.refuse("vertex number " + std::to_string(number) + " counts back past the first of " +
-                   std::to_string(n_vertices_so_far) + " vertices");
+    scanner.refuse("vertex number " + std::to_string(number) +
+                   " counts back past the first of " + std::to_string(n_vertices_so_far) +
+                   " vertices");
   }
   return static_cast<std::uint32_t>(index);
 }
@@ -86,7 +89,8 @@ CheckedInput check_obj(const std::filesystem::path& file, std::string_view text)
       check_face(scanner, input, forward);
     } else if (std::find(kIgnoredKeywords.begin(), kIgnoredKeywords.end(), keyword) ==
                kIgnoredKeywords.end()) {
-      scanner.refuse(quoted(keyword) + " starts no line of an OBJ file; is it another format?");
+      scanner.refuse(in_quotes(keyword) +
+                     " starts no line of an OBJ file; is it another format?");
     }
   }
   for (const ForwardFace& face : forward) {

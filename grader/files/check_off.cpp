@@ -8,14 +8,14 @@ namespace {
 void check_header(TextScanner& scanner) {
   scanner.require_line("the word OFF");
   const std::string_view word = scanner.next_word();
-  if (word != "OFF" && word != "COFF" && word != "NOFF" && word != "CNOFF" &&
-      word != "STOFF" && word != "STCNOFF") {
-    scanner.refuse(quoted(word) + " where the word OFF should be; only OFF in 3D is read");
+  if (word != "OFF" && word != "COFF" && word != "NOFF" && word != "CNOFF" && word != "STOFF" &&
+      word != "STCNOFF") {
+    scanner.refuse(in_quotes(word) + " where the word OFF should be; only OFF in 3D is read");
   }
   if (const std::string_view more = scanner.next_word(); more == "BINARY") {
     scanner.refuse("binary OFF is not read; save it as text");
   } else if (!more.empty()) {
-    scanner.refuse(quoted(more) + " behind OFF; the counts belong on a line of their own");
+    scanner.refuse(in_quotes(more) + " behind OFF; the counts belong on a line of their own");
   }
 }
 
@@ -55,8 +55,10 @@ CheckedInput check_off(const std::filesystem::path& file, std::string_view text)
   CheckedInput input;
   input.n_faces = n_faces;
   input.bytes = "OFF\n" + std::to_string(n_vertices) + ' ' + std::to_string(n_faces) + " 0\n";
-  for (std::uint32_t v = 0; v < n_vertices; ++v) check_vertex(scanner, input);
-  for (std::uint32_t f = 0; f < n_faces; ++f) check_face(scanner, f, input);
+  for (std::uint32_t v = 0; v < n_vertices; ++v)
+    check_vertex(scanner, input);
+  for (std::uint32_t f = 0; f < n_faces; ++f)
+    check_face(scanner, f, input);
   if (scanner.next_line()) {
     scanner.refuse("more lines than the counts at the top promise; mend the counts");
   }

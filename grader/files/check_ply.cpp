@@ -62,7 +62,7 @@ Scalar read_scalar(TextScanner& scanner) {
   const std::string_view word = scanner.next_word();
   const auto found = std::find_if(kScalars.begin(), kScalars.end(),
                                   [&](const Scalar& scalar) { return scalar.name == word; });
-  if (found == kScalars.end()) scanner.refuse(quoted(word) + " is no PLY number type");
+  if (found == kScalars.end()) scanner.refuse(in_quotes(word) + " is no PLY number type");
   return *found;
 }
 
@@ -86,13 +86,13 @@ Encoding read_encoding(TextScanner& scanner) {
   if (word == "ascii") return Encoding::kText;
   if (word == "binary_little_endian") return Encoding::kLittleEndian;
   if (word == "binary_big_endian") return Encoding::kBigEndian;
-  scanner.refuse(quoted(word) + " is no PLY encoding");
+  scanner.refuse(in_quotes(word) + " is no PLY encoding");
 }
 
 Header read_header(TextScanner& scanner) {
   scanner.require_line("the word ply");
   if (const auto word = scanner.next_word(); word != "ply" && word != "PLY") {
-    scanner.refuse(quoted(word) + " where the word ply should be; is it another format?");
+    scanner.refuse(in_quotes(word) + " where the word ply should be; is it another format?");
   }
   Header header;
   header.encoding = read_encoding(scanner);
@@ -108,7 +108,7 @@ Header read_header(TextScanner& scanner) {
     } else if (keyword == "property" && !header.elements.empty()) {
       header.elements.back().properties.push_back(read_property(scanner));
     } else if (keyword != "comment" && keyword != "obj_info") {
-      scanner.refuse(quoted(keyword) + " does not belong in a PLY header");
+      scanner.refuse(in_quotes(keyword) + " does not belong in a PLY header");
     }
   }
 }
@@ -187,7 +187,8 @@ void append_raw(std::string& bytes, Number number) {
 std::vector<double> next_values(Body& body, const Property& property) {
   const double count = property.list_size ? body.next(*property.list_size) : 1;
   std::vector<double> values;
-  for (double k = 0; k < count; ++k) values.push_back(body.next(property.type));
+  for (double k = 0; k < count; ++k)
+    values.push_back(body.next(property.type));
   return values;
 }
 
@@ -206,7 +207,8 @@ void check_vertex(const std::filesystem::path& file, Body& body, const Element& 
     }
     point[static_cast<std::size_t>(property.name[0] - 'x')] = values[0];
   }
-  for (const double coordinate : point) append_raw(input.bytes, coordinate);
+  for (const double coordinate : point)
+    append_raw(input.bytes, coordinate);
   input.exact_positions.push_back(point);
 }
 
@@ -229,7 +231,8 @@ void check_face(const std::filesystem::path& file, Body& body, const Element& el
   }
   check_polygon(file, place, face, corners, input.exact_positions.size(), 0);
   append_raw(input.bytes, static_cast<std::int32_t>(corners.size()));
-  for (const std::uint32_t v : corners) append_raw(input.bytes, static_cast<std::int32_t>(v));
+  for (const std::uint32_t v : corners)
+    append_raw(input.bytes, static_cast<std::int32_t>(v));
 }
 
 /// Vertices must come before faces, with x, y, z and a list of corners. Returns how many
@@ -292,7 +295,8 @@ CheckedInput check_ply(const std::filesystem::path& file, std::string_view bytes
       } else if (element.name == "face") {
         check_face(file, *body, element, i, input);
       } else {
-        for (const Property& property : element.properties) next_values(*body, property);
+        for (const Property& property : element.properties)
+          next_values(*body, property);
       }
     }
   }

@@ -63,13 +63,14 @@ CheckedInput check_binary(const std::filesystem::path& file, std::string_view by
 }
 
 void require_words(TextScanner& scanner, std::string_view expected) {
-  scanner.require_line(quoted(expected));
+  scanner.require_line(in_quotes(expected));
   std::string words;
   for (auto word = scanner.next_word(); !word.empty(); word = scanner.next_word()) {
     if (!words.empty()) words += ' ';
     words += word;
   }
-  if (words != expected) scanner.refuse(quoted(words) + " where " + quoted(expected) + " should be");
+  if (words != expected)
+    scanner.refuse(in_quotes(words) + " where " + in_quotes(expected) + " should be");
 }
 
 void check_text_facet(TextScanner& scanner, CheckedInput& input) {
@@ -100,13 +101,13 @@ CheckedInput check_text(const std::filesystem::path& file, std::string_view text
   CheckedInput input;
   while (scanner.next_line()) {
     if (const auto word = scanner.next_word(); word != "solid") {
-      scanner.refuse(quoted(word) + " where 'solid' should be");
+      scanner.refuse(in_quotes(word) + " where 'solid' should be");
     }
     for (;;) {
       scanner.require_line("'facet' or 'endsolid'");
       const std::string_view word = scanner.next_word();
       if (word == "endsolid") break;
-      if (word != "facet") scanner.refuse(quoted(word) + " where 'facet' should be");
+      if (word != "facet") scanner.refuse(in_quotes(word) + " where 'facet' should be");
       check_text_facet(scanner, input);
     }
   }

@@ -36,7 +36,8 @@ class ColladaReader {
   PolygonMesh read() {
     const Transform up = up_axis();
     if (const auto scene = root_.child("scene").child("instance_visual_scene")) {
-      for (const auto& node : referred(scene, "url").children("node")) add_node(node, up, 0);
+      for (const auto& node : referred(scene, "url").children("node"))
+        add_node(node, up, 0);
     } else {
       for (const auto& geometry : root_.child("library_geometries").children("geometry")) {
         append_part(whole_, geometry_mesh(geometry), up, file_, line_of(geometry));
@@ -79,7 +80,7 @@ class ColladaReader {
     const std::string url = node.attribute(attribute).value();
     const auto found = by_id_.find(url.starts_with('#') ? url.substr(1) : "");
     if (found == by_id_.end()) {
-      refuse(node, quoted(url) + " names no element of this file; only '#id' is followed");
+      refuse(node, in_quotes(url) + " names no element of this file; only '#id' is followed");
     }
     return found->second;
   }
@@ -94,7 +95,7 @@ class ColladaReader {
       if (text.empty()) return values;
       const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
       Number value{};
-      if (!parse(word, value)) refuse(node, quoted(word) + " is no number that fits here");
+      if (!parse(word, value)) refuse(node, in_quotes(word) + " is no number that fits here");
       values.push_back(value);
       text.remove_prefix(word.size());
     }
@@ -117,7 +118,7 @@ class ColladaReader {
     if (!attribute) return otherwise;
     std::int64_t number = 0;
     if (!parse_integer(attribute.value(), number) || number < 0 || number > INT32_MAX) {
-      refuse(node, std::string(name) + " is " + quoted(attribute.value()) +
+      refuse(node, std::string(name) + " is " + in_quotes(attribute.value()) +
                        "; it must be a whole number from 0");
     }
     return static_cast<std::size_t>(number);
@@ -157,7 +158,8 @@ class ColladaReader {
     std::vector<std::vector<std::uint32_t>> lists;
     if (kind == "polygons") {
       if (primitive.child("ph")) refuse(primitive, "polygons with holes are not read");
-      for (const auto& p : primitive.children("p")) lists.push_back(indices(p));
+      for (const auto& p : primitive.children("p"))
+        lists.push_back(indices(p));
       return lists;
     }
     const std::vector<std::uint32_t> flat = indices(primitive.child("p"));
@@ -245,7 +247,8 @@ class ColladaReader {
     if (kind == "matrix") {
       const auto v = reals_of(node, 16);
       for (std::size_t r = 0; r < 3; ++r) {
-        for (std::size_t c = 0; c < 4; ++c) transform.rows[r][c] = v[r * 4 + c];
+        for (std::size_t c = 0; c < 4; ++c)
+          transform.rows[r][c] = v[r * 4 + c];
       }
     } else if (kind == "lookat" || kind == "skew") {
       refuse(node, std::string(kind) + " is not read; export with a matrix");
@@ -258,7 +261,8 @@ class ColladaReader {
       refuse(node, "the nodes are nested too deeply, or in a circle");
     }
     Transform transform = parent;
-    for (const auto& child : node.children()) transform = transform * one_transform(child);
+    for (const auto& child : node.children())
+      transform = transform * one_transform(child);
     for (const auto& child : node.children()) {
       const std::string_view kind = child.name();
       if (kind == "node") {
@@ -308,7 +312,8 @@ void add_input(pugi::xml_node parent, const char* semantic, const char* source) 
 void add_positions(pugi::xml_node collada_mesh, const PolygonMesh& mesh) {
   std::string text;
   for (const Point3& point : mesh.positions) {
-    for (const double coordinate : point) append_number(text, coordinate);
+    for (const double coordinate : point)
+      append_number(text, coordinate);
   }
   auto source = collada_mesh.append_child("source");
   source.append_attribute("id") = "positions";
@@ -335,7 +340,8 @@ void add_polylist(pugi::xml_node collada_mesh, const PolygonMesh& mesh) {
   std::string corners;
   for (const auto& polygon : mesh.polygons) {
     append_number(sizes, polygon.size());
-    for (const std::uint32_t v : polygon) append_number(corners, v);
+    for (const std::uint32_t v : polygon)
+      append_number(corners, v);
   }
   auto polylist = collada_mesh.append_child("polylist");
   polylist.append_attribute("count") = static_cast<unsigned long long>(mesh.polygons.size());

@@ -65,7 +65,7 @@ std::string lower_extension(const std::filesystem::path& file) {
   return extension;
 }
 
-std::string quoted(std::string_view words) {
+std::string in_quotes(std::string_view words) {
   constexpr std::size_t kLongest = 24;
   std::string text(words.substr(0, kLongest));
   for (char& c : text) {
@@ -79,9 +79,9 @@ void check_polygon(const std::filesystem::path& file, const std::string& place,
                    std::size_t n_vertices, unsigned first_number) {
   const std::string name = "face f" + std::to_string(face);
   if (corners.size() < 3) {
-    refuse_file(file, place,
-                name + " has " + std::to_string(corners.size()) +
-                    " corners; a face needs at least 3");
+    refuse_file(
+        file, place,
+        name + " has " + std::to_string(corners.size()) + " corners; a face needs at least 3");
   }
   for (const std::uint32_t v : corners) {
     if (v >= n_vertices) {

@@ -26,7 +26,7 @@ std::string lower_extension(const std::filesystem::path& file);
 
 /// Words from a file as they may stand in a one-line message: quoted, at most 24 characters,
 /// anything unprintable replaced by '?'.
-std::string quoted(std::string_view words);
+std::string in_quotes(std::string_view words);
 
 /// Throws UserError unless the polygon has at least 3 corners, all different and all below
 /// `n_vertices`. `first_number` is the number that the format gives to its first vertex.

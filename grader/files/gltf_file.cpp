@@ -72,8 +72,8 @@ bool read_neighbour(std::vector<unsigned char>* out, std::string* error,
   const Path folder = static_cast<const Path*>(gltf_file)->parent_path();
   std::error_code failed;
   const Path wanted = std::filesystem::weakly_canonical(name, failed);
-  if (failed || wanted.parent_path() != std::filesystem::weakly_canonical(
-                                            folder.empty() ? "." : folder, failed)) {
+  if (failed || wanted.parent_path() !=
+                    std::filesystem::weakly_canonical(folder.empty() ? "." : folder, failed)) {
     *error = "only files in the same folder are read";
     return false;
   }
@@ -105,11 +105,11 @@ tinygltf::Model parse_model(const Path& file, const std::string& bytes) {
   const auto size = static_cast<unsigned int>(bytes.size());
   bool ok = false;
   try {
-    ok = is_glb ? loader.LoadBinaryFromMemory(
-                      &model, &error, &warning,
-                      reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
-                : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size,
-                                             folder);
+    ok = is_glb
+             ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                           reinterpret_cast<const unsigned char*>(bytes.data()),
+                                           size, folder)
+             : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder);
   } catch (const std::exception& fault) {
     error = fault.what();
   }
@@ -127,7 +127,7 @@ void refuse_extensions(const Path& file, const tinygltf::Model& model) {
       continue;
     }
     refuse_file(file, "extensionsRequired",
-                "needs " + quoted(name) + ", which is not read; export without compression");
+                "needs " + in_quotes(name) + ", which is not read; export without compression");
   }
 }
 
@@ -158,7 +158,8 @@ class AccessorReader {
 
   std::vector<std::uint32_t> indices(int accessor_index, const std::string& place) const {
     const auto& accessor = checked_accessor(accessor_index, place);
-    if (accessor.type != TINYGLTF_TYPE_SCALAR) refuse_file(file_, place, "indices must be scalar");
+    if (accessor.type != TINYGLTF_TYPE_SCALAR)
+      refuse_file(file_, place, "indices must be scalar");
     return accessor_integers(accessor, place);
   }
 
@@ -259,8 +260,9 @@ class AccessorReader {
                         static_cast<std::size_t>(sparse.values.byteOffset), count, place);
     for (std::size_t k = 0; k < count; ++k) {
       if (where[k] >= values.size()) {
-        refuse_file(file_, place, "replaces element " + std::to_string(where[k]) + " of " +
-                                      std::to_string(values.size()));
+        refuse_file(file_, place,
+                    "replaces element " + std::to_string(where[k]) + " of " +
+                        std::to_string(values.size()));
       }
       values[where[k]] = what[k];
     }
@@ -311,7 +313,8 @@ PolygonMesh mesh_triangles(const Path& file, const tinygltf::Model& model,
     if (primitive.indices >= 0) {
       list = reader.indices(primitive.indices, place);
     } else {
-      for (std::uint32_t v = 0; v < part.positions.size(); ++v) list.push_back(v);
+      for (std::uint32_t v = 0; v < part.positions.size(); ++v)
+        list.push_back(v);
     }
     if (mode == TINYGLTF_MODE_TRIANGLES && list.size() % 3 != 0) {
       refuse_file(file, place, std::to_string(list.size()) + " corners are no whole triangles");
@@ -330,7 +333,8 @@ Transform node_transform(const Path& file, const tinygltf::Node& node,
   Transform transform;
   if (node.matrix.size() == 16) {
     for (std::size_t r = 0; r < 3; ++r) {
-      for (std::size_t c = 0; c < 4; ++c) transform.rows[r][c] = node.matrix[c * 4 + r];
+      for (std::size_t c = 0; c < 4; ++c)
+        transform.rows[r][c] = node.matrix[c * 4 + r];
     }
     return transform;
   }
@@ -357,7 +361,8 @@ PolygonMesh scene_triangles(const Path& file, const tinygltf::Model& model,
   PolygonMesh whole;
   std::vector<bool> seen(model.nodes.size(), false);
   std::vector<Visit> to_visit;
-  for (auto root = roots.rbegin(); root != roots.rend(); ++root) to_visit.push_back({*root, {}});
+  for (auto root = roots.rbegin(); root != roots.rend(); ++root)
+    to_visit.push_back({*root, {}});
   while (!to_visit.empty()) {
     const Visit visit = to_visit.back();
     to_visit.pop_back();

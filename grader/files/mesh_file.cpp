@@ -125,6 +125,8 @@ void write_mesh(const std::filesystem::path& file, const PolygonMesh& mesh) {
   write_bytes(file, format.write(mesh));
 }
 
-void require_mesh_format(const std::filesystem::path& file) { format_of(file); }
+void require_mesh_format(const std::filesystem::path& file) {
+  format_of(file);
+}
 
 }  // namespace meshgrade

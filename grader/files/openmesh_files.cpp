@@ -52,7 +52,8 @@ class PolygonImporter : public IO::ImporterT<NoMesh> {
   }
   FaceHandle add_face(const VHandles& corners) override {
     auto& polygon = mesh.polygons.emplace_back();
-    for (const VertexHandle v : corners) polygon.push_back(static_cast<std::uint32_t>(v.idx()));
+    for (const VertexHandle v : corners)
+      polygon.push_back(static_cast<std::uint32_t>(v.idx()));
     return FaceHandle(static_cast<int>(mesh.polygons.size()) - 1);
   }
   std::size_t n_vertices() const override { return mesh.positions.size(); }
@@ -113,8 +114,8 @@ PolygonMesh openmesh_read(const std::string& format, const CheckedInput& input) 
   std::istringstream stream(input.bytes);
   IO::Options options = input.is_binary ? IO::Options::Binary : IO::Options::Default;
   const bool ok = IO::IOManager().read(stream, format, importer, options);
-  const bool all_vertices = input.exact_positions.empty() ||
-                            input.exact_positions.size() == importer.n_vertices();
+  const bool all_vertices =
+      input.exact_positions.empty() || input.exact_positions.size() == importer.n_vertices();
   if (!ok || importer.n_faces() != input.n_faces || !all_vertices) {
     throw GraderError("OpenMesh read " + std::to_string(importer.n_faces()) + " of " +
                       std::to_string(input.n_faces) + " faces of a checked " + format +

@@ -15,7 +15,8 @@ constexpr std::size_t kMostCorners = 20'000'000;
 Point3 Transform::operator()(const Point3& point) const {
   Point3 image{};
   for (std::size_t r = 0; r < 3; ++r) {
-    image[r] = rows[r][0] * point[0] + rows[r][1] * point[1] + rows[r][2] * point[2] + rows[r][3];
+    image[r] =
+        rows[r][0] * point[0] + rows[r][1] * point[1] + rows[r][2] * point[2] + rows[r][3];
   }
   return image;
 }
@@ -32,7 +33,8 @@ Transform operator*(const Transform& outer, const Transform& inner) {
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t c = 0; c < 4; ++c) {
       double sum = c == 3 ? outer.rows[r][3] : 0;
-      for (std::size_t k = 0; k < 3; ++k) sum += outer.rows[r][k] * inner.rows[k][c];
+      for (std::size_t k = 0; k < 3; ++k)
+        sum += outer.rows[r][k] * inner.rows[k][c];
       product.rows[r][c] = sum;
     }
   }
@@ -41,13 +43,15 @@ Transform operator*(const Transform& outer, const Transform& inner) {
 
 Transform translation(const Point3& by) {
   Transform transform;
-  for (std::size_t r = 0; r < 3; ++r) transform.rows[r][3] = by[r];
+  for (std::size_t r = 0; r < 3; ++r)
+    transform.rows[r][3] = by[r];
   return transform;
 }
 
 Transform scaling(const Point3& by) {
   Transform transform;
-  for (std::size_t r = 0; r < 3; ++r) transform.rows[r][r] = by[r];
+  for (std::size_t r = 0; r < 3; ++r)
+    transform.rows[r][r] = by[r];
   return transform;
 }
 
@@ -61,10 +65,9 @@ Transform rotation(const std::array<double, 4>& quaternion) {
   const auto [x, y, z, w] = quaternion;
   const double s = 2 / (x * x + y * y + z * z + w * w);
   Transform transform;
-  transform.rows = {
-      {{1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y), 0},
-       {s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x), 0},
-       {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y), 0}}};
+  transform.rows = {{{1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y), 0},
+                     {s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x), 0},
+                     {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y), 0}}};
   return transform;
 }
 
@@ -84,7 +87,8 @@ void append_part(PolygonMesh& whole, const PolygonMesh& part, const Transform& t
   }
   const bool is_mirror = transform.is_mirror();
   for (std::vector<std::uint32_t> polygon : part.polygons) {
-    for (std::uint32_t& corner : polygon) corner += first;
+    for (std::uint32_t& corner : polygon)
+      corner += first;
     if (is_mirror) std::reverse(polygon.begin(), polygon.end());
     whole.polygons.push_back(std::move(polygon));
   }

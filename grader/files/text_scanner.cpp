@@ -56,11 +56,10 @@ void TextScanner::require_line(const std::string& expected) {
 }
 
 std::string_view TextScanner::next_word() {
-  const std::size_t begin = std::min(rest_of_line_.find_first_not_of(kBlanks),
-                                     rest_of_line_.size());
+  const std::size_t begin =
+      std::min(rest_of_line_.find_first_not_of(kBlanks), rest_of_line_.size());
   rest_of_line_.remove_prefix(begin);
-  const std::string_view word =
-      rest_of_line_.substr(0, rest_of_line_.find_first_of(kBlanks));
+  const std::string_view word = rest_of_line_.substr(0, rest_of_line_.find_first_of(kBlanks));
   rest_of_line_.remove_prefix(word.size());
   return word;
 }
@@ -70,7 +69,7 @@ double TextScanner::next_number(const std::string& expected) {
   double number = 0;
   if (word.empty()) refuse("the line ends where " + expected + " should follow");
   if (!parse_number(word, number)) {
-    refuse(quoted(word) + " where " + expected +
+    refuse(in_quotes(word) + " where " + expected +
            " should be; coordinates are finite numbers up to 3.4e38");
   }
   return number;
@@ -78,7 +77,8 @@ double TextScanner::next_number(const std::string& expected) {
 
 Point3 TextScanner::next_point(const std::string& expected) {
   Point3 point{};
-  for (double& coordinate : point) coordinate = next_number(expected);
+  for (double& coordinate : point)
+    coordinate = next_number(expected);
   return point;
 }
 
@@ -88,7 +88,7 @@ std::int64_t TextScanner::next_integer(const std::string& expected) {
   if (word.empty()) refuse("the line ends where " + expected + " should follow");
   if (!parse_integer(word, number) || number < std::numeric_limits<std::int32_t>::min() ||
       number > std::numeric_limits<std::uint32_t>::max()) {
-    refuse(quoted(word) + " where " + expected + " should be; write a whole number");
+    refuse(in_quotes(word) + " where " + expected + " should be; write a whole number");
   }
   return number;
 }
@@ -101,9 +101,11 @@ std::uint32_t TextScanner::next_index(const std::string& expected) {
 
 void TextScanner::end_line() {
   const std::string_view word = next_word();
-  if (!word.empty()) refuse(quoted(word) + " after the end of the line's data; remove it");
+  if (!word.empty()) refuse(in_quotes(word) + " after the end of the line's data; remove it");
 }
 
-void TextScanner::refuse(const std::string& what) const { refuse_file(file_, place(), what); }
+void TextScanner::refuse(const std::string& what) const {
+  refuse_file(file_, place(), what);
+}
 
 }  // namespace meshgrade

@@ -47,8 +47,8 @@ std::string weld(PolygonMesh& mesh) {
 }
 
 std::string weld_note(std::size_t n_corners, std::size_t n_vertices) {
-  return "welded " + std::to_string(n_corners) + " corners into " +
-         std::to_string(n_vertices) + " vertices";
+  return "welded " + std::to_string(n_corners) + " corners into " + std::to_string(n_vertices) +
+         " vertices";
 }
 
 }  // namespace meshgrade

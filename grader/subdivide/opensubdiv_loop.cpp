@@ -21,7 +21,8 @@ struct RefinedPoint {
 
   void Clear() { at = {}; }
   void AddWithWeight(const RefinedPoint& other, double weight) {
-    for (std::size_t axis = 0; axis < 3; ++axis) at[axis] += weight * other.at[axis];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      at[axis] += weight * other.at[axis];
   }
 };
 
@@ -34,7 +35,8 @@ std::vector<Far::Index> flat_corners(const PolygonMesh& mesh) {
       throw UserError("face f" + std::to_string(f) + " has " + std::to_string(polygon.size()) +
                       " corners: Loop subdivision needs triangles");
     }
-    for (const std::uint32_t v : polygon) corners.push_back(static_cast<Far::Index>(v));
+    for (const std::uint32_t v : polygon)
+      corners.push_back(static_cast<Far::Index>(v));
   }
   return corners;
 }
@@ -67,14 +69,16 @@ std::unique_ptr<Far::TopologyRefiner> refined_topology(const PolygonMesh& mesh,
 std::vector<Point3> refined_points(const Far::TopologyRefiner& refiner,
                                    const std::vector<Point3>& old_positions) {
   std::vector<RefinedPoint> from(old_positions.size());
-  for (std::size_t v = 0; v < from.size(); ++v) from[v].at = old_positions[v];
+  for (std::size_t v = 0; v < from.size(); ++v)
+    from[v].at = old_positions[v];
   std::vector<RefinedPoint> to(static_cast<std::size_t>(refiner.GetLevel(1).GetNumVertices()));
   const Far::PrimvarRefinerReal<double> primvars(refiner);
   primvars.Interpolate(1, from, to);
 
   std::vector<Point3> points;
   points.reserve(to.size());
-  for (const RefinedPoint& point : to) points.push_back(point.at);
+  for (const RefinedPoint& point : to)
+    points.push_back(point.at);
   return points;
 }
 
@@ -87,8 +91,7 @@ void read_parents(const Far::TopologyLevel& old_level, LoopLevel& result) {
     const Far::ConstIndexArray ends = old_level.GetEdgeVertices(e);
     result.edges.push_back(
         {static_cast<std::uint32_t>(ends[0]), static_cast<std::uint32_t>(ends[1])});
-    result.child_of_edge.push_back(
-        static_cast<std::uint32_t>(old_level.GetEdgeChildVertex(e)));
+    result.child_of_edge.push_back(static_cast<std::uint32_t>(old_level.GetEdgeChildVertex(e)));
   }
 }
 
@@ -100,8 +103,7 @@ void move_to_warren(const Far::TopologyLevel& old_level,
     const double ratio = neighbour_weight(VertexRule::kWarren, valence) /
                          neighbour_weight(VertexRule::kLoop, valence);
     const Point3& before = old_positions[static_cast<std::size_t>(v)];
-    Point3& after =
-        result.mesh.positions[result.child_of_vertex[static_cast<std::size_t>(v)]];
+    Point3& after = result.mesh.positions[result.child_of_vertex[static_cast<std::size_t>(v)]];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       after[axis] = before[axis] + ratio * (after[axis] - before[axis]);
     }

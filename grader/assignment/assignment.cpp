@@ -1,0 +1,270 @@
+#include "grader/assignment/assignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <toml++/toml.h>
+
+#include "grader/base/errors.h"
+
+namespace meshgrade {
+namespace {
+
+/// A table of the file. Every key that is asked for is remembered, so that the others can be
+/// refused at the end.
+class Section {
+ public:
+  Section(const toml::table& table, std::string file, std::string path)
+      : table_(table), file_(std::move(file)), path_(std::move(path)) {}
+
+  template <class T>
+  T get(const std::string& key, T standard) {
+    known_.insert(key);
+    const toml::node* node = table_.get(key);
+    return node == nullptr ? standard : convert<T>(*node, key);
+  }
+
+  template <class T>
+  T require(const std::string& key) {
+    known_.insert(key);
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) fail(table_, "the key " + full(key) + " is missing");
+    return convert<T>(*node, key);
+  }
+
+  double require_at_least(const std::string& key, double least) {
+    const double value = require<double>(key);
+    if (!(value >= least)) {
+      fail(*table_.get(key), full(key) + " must be a number of at least " +
+                                 std::to_string(static_cast<int>(least)));
+    }
+    return value;
+  }
+
+  /// A positive whole number.
+  std::uint32_t get_positive(const std::string& key, std::uint32_t standard) {
+    const auto value = get<std::int64_t>(key, standard);
+    if (value < 1 || value > 1'000'000'000) {
+      fail(*table_.get(key), full(key) + " must be a whole number from 1 to 1000000000");
+    }
+    return static_cast<std::uint32_t>(value);
+  }
+
+  std::vector<std::string> get_strings(const std::string& key) {
+    known_.insert(key);
+    std::vector<std::string> values;
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) return values;
+    if (!node->is_array()) fail(*node, full(key) + " must be a list of names");
+    for (const toml::node& entry : *node->as_array()) {
+      values.push_back(convert<std::string>(entry, key));
+    }
+    return values;
+  }
+
+  /// The sub-table under this key; an empty one if there is none.
+  Section section(const std::string& key) {
+    known_.insert(key);
+    static const toml::table empty;
+    const toml::node* node = table_.get(key);
+    if (node != nullptr && !node->is_table()) fail(*node, full(key) + " must be a table");
+    return {node == nullptr ? empty : *node->as_table(), file_, full(key)};
+  }
+
+  std::vector<Section> sections(const std::string& key) {
+    known_.insert(key);
+    std::vector<Section> result;
+    const toml::node* node = table_.get(key);
+    if (node == nullptr || !node->is_array_of_tables()) {
+      fail(node == nullptr ? table_ : *node, "at least one [[" + full(key) + "]] is needed");
+    }
+    for (const toml::node& entry : *node->as_array()) {
+      result.emplace_back(*entry.as_table(), file_, full(key));
+    }
+    return result;
+  }
+
+  /// All keys of this table with their values, which must be texts.
+  std::map<std::string, std::string> all_texts() {
+    std::map<std::string, std::string> texts;
+    for (const auto& [key, node] : table_) {
+      const std::string name(key.str());
+      texts[name] = require<std::string>(name);
+    }
+    return texts;
+  }
+
+  void refuse_unknown_keys() const {
+    for (const auto& [key, node] : table_) {
+      const std::string name(key.str());
+      if (known_.count(name) == 0) fail(node, "unknown key " + full(name));
+    }
+  }
+
+  [[noreturn]] void fail_at(const std::string& key, const std::string& what) const {
+    const toml::node* node = table_.get(key);
+    fail(node == nullptr ? table_ : *node, full(key) + " " + what);
+  }
+
+ private:
+  std::string full(const std::string& key) const {
+    return path_.empty() ? key : path_ + "." + key;
+  }
+
+  [[noreturn]] void fail(const toml::node& node, const std::string& what) const {
+    throw UserError(file_ + ":" + std::to_string(node.source().begin.line) + ": " + what);
+  }
+
+  template <class T>
+  T convert(const toml::node& node, const std::string& key) const {
+    const auto value = node.value<T>();
+    constexpr bool is_text = std::is_same_v<T, std::string>;
+    constexpr bool is_flag = std::is_same_v<T, bool>;
+    constexpr bool is_whole = std::is_same_v<T, std::int64_t>;
+    if (!value || (is_text && !node.is_string()) || (is_flag && !node.is_boolean()) ||
+        (is_whole && !node.is_integer())) {
+      fail(node, full(key) + " must be " +
+                     (is_text ? "a text in quotes"
+                              : is_flag ? "true or false" : is_whole ? "a whole number" : "a number"));
+    }
+    return *value;
+  }
+
+  const toml::table& table_;
+  std::string file_;
+  std::string path_;
+  std::set<std::string> known_;
+};
+
+Limits read_limits(Section section) {
+  Limits limits;
+  limits.compile_seconds = section.get_positive("compile_seconds", limits.compile_seconds);
+  limits.case_cpu_ms = section.get_positive("case_cpu_ms", limits.case_cpu_ms);
+  limits.case_wall_ms = section.get_positive("case_wall_ms", limits.case_wall_ms);
+  limits.run_seconds = section.get_positive("run_seconds", limits.run_seconds);
+  limits.memory_mb = section.get_positive("memory_mb", limits.memory_mb);
+  limits.result_mb = section.get_positive("result_mb", limits.result_mb);
+  section.refuse_unknown_keys();
+  return limits;
+}
+
+SubmissionRules read_submission(Section section) {
+  SubmissionRules rules;
+  rules.headers = section.get("headers", rules.headers);
+  rules.files = section.get_positive("files", rules.files);
+  rules.file_kb = section.get_positive("file_kb", rules.file_kb);
+  section.refuse_unknown_keys();
+  return rules;
+}
+
+Group read_group(Section& section, const std::vector<Group>& before) {
+  Group group;
+  group.name = section.require<std::string>("name");
+  group.title = section.get<std::string>("title", group.name);
+  group.points = section.require_at_least("points", 0.0);
+  group.extra_credit = section.get("extra_credit", false);
+  group.partial = section.get("partial", false);
+  group.needs = section.get<std::string>("needs", "");
+  const auto named = [](const std::string& name) {
+    return [name](const Group& other) { return other.name == name; };
+  };
+  if (std::any_of(before.begin(), before.end(), named(group.name))) {
+    section.fail_at("name", "\"" + group.name + "\" is there twice");
+  }
+  if (!group.needs.empty() && std::none_of(before.begin(), before.end(), named(group.needs))) {
+    section.fail_at("needs", "must name a group of this exercise that comes before this one");
+  }
+  section.refuse_unknown_keys();
+  return group;
+}
+
+ExerciseRubric read_exercise(Section& section, const Assignment& assignment) {
+  ExerciseRubric exercise;
+  exercise.name = section.require<std::string>("name");
+  if (assignment.find(exercise.name) != nullptr) {
+    section.fail_at("name", "\"" + exercise.name + "\" is there twice");
+  }
+  exercise.title = section.get<std::string>("title", exercise.name);
+  exercise.needs = section.get_strings("needs");
+  for (const std::string& name : exercise.needs) {
+    if (assignment.find(name) == nullptr) {
+      section.fail_at("needs", "names \"" + name + "\", which is no exercise before this one");
+    }
+  }
+  exercise.options = section.section("options").all_texts();
+  for (Section& group : section.sections("group")) {
+    exercise.groups.push_back(read_group(group, exercise.groups));
+  }
+  section.refuse_unknown_keys();
+  return exercise;
+}
+
+Assignment read_table(const toml::table& table, const std::string& name) {
+  Section root(table, name, "");
+  Assignment assignment;
+  if (root.require<std::int64_t>("version") != 1) root.fail_at("version", "must be 1");
+  assignment.title = root.require<std::string>("title");
+  const auto seed = root.require<std::int64_t>("seed");
+  if (seed < 0) root.fail_at("seed", "must not be negative");
+  assignment.seed = static_cast<std::uint64_t>(seed);
+  assignment.tolerance = root.get("tolerance", 1e-5);
+  if (!(assignment.tolerance > 0.0 && assignment.tolerance < 1e-2)) {
+    root.fail_at("tolerance", "must be greater than 0 and less than 0.01");
+  }
+  assignment.limits = read_limits(root.section("limits"));
+  assignment.submission = read_submission(root.section("submission"));
+  for (Section& exercise : root.sections("exercise")) {
+    assignment.exercises.push_back(read_exercise(exercise, assignment));
+  }
+  root.refuse_unknown_keys();
+  return assignment;
+}
+
+double sum_points(const std::vector<Group>& groups, bool extra_credit) {
+  double sum = 0.0;
+  for (const Group& group : groups) {
+    if (group.extra_credit == extra_credit) sum += group.points;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double ExerciseRubric::points() const { return sum_points(groups, false); }
+double ExerciseRubric::extra_points() const { return sum_points(groups, true); }
+
+double Assignment::points() const {
+  double sum = 0.0;
+  for (const ExerciseRubric& exercise : exercises) sum += exercise.points();
+  return sum;
+}
+
+const ExerciseRubric* Assignment::find(const std::string& exercise) const {
+  for (const ExerciseRubric& rubric : exercises) {
+    if (rubric.name == exercise) return &rubric;
+  }
+  return nullptr;
+}
+
+Assignment parse_assignment(const std::string& text, const std::string& name) {
+  try {
+    return read_table(toml::parse(text, name), name);
+  } catch (const toml::parse_error& error) {
+    throw UserError(name + ":" + std::to_string(error.source().begin.line) + ": " +
+                    std::string(error.description()));
+  }
+}
+
+Assignment read_assignment(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream.good() || std::filesystem::is_directory(file)) {
+    throw UserError(file.string() + ": cannot be read; name an assignment file (.toml)");
+  }
+  return parse_assignment(text.str(), file.string());
+}
+
+}  // namespace meshgrade

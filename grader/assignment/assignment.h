@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace meshgrade {
+
+/// Cases that points are given for together.
+struct Group {
+  std::string name;           ///< as in the cases: "basic"
+  std::string title;          ///< what it tests, in a few words
+  double points = 0.0;
+  bool extra_credit = false;  ///< points on top, not needed for a full score
+  bool partial = false;       ///< points in proportion to the cases passed, else all or none
+  std::string needs;          ///< a group that must earn something before this one counts
+};
+
+struct ExerciseRubric {
+  std::string name;   ///< "edge_flip"
+  std::string title;  ///< "Edge flip"
+  std::vector<std::string> needs;              ///< exercises whose functions this one calls
+  std::map<std::string, std::string> options;  ///< settings of the exercise's own
+  std::vector<Group> groups;
+
+  double points() const;        ///< without extra credit
+  double extra_points() const;  ///< extra credit
+};
+
+struct Limits {
+  std::uint32_t compile_seconds = 60;
+  std::uint32_t case_cpu_ms = 5000;
+  std::uint32_t case_wall_ms = 15000;
+  std::uint32_t run_seconds = 300;
+  std::uint32_t memory_mb = 2048;
+  std::uint32_t result_mb = 512;
+};
+
+struct SubmissionRules {
+  bool headers = true;  ///< headers next to the sources come along
+  std::uint32_t files = 64;
+  std::uint32_t file_kb = 1024;
+};
+
+/// What is asked and what it is worth.
+struct Assignment {
+  std::string title;
+  std::uint64_t seed = 0;  ///< draws the random cases
+  double tolerance = 0.0;  ///< of positions, relative to the size of the mesh
+  Limits limits;
+  SubmissionRules submission;
+  std::vector<ExerciseRubric> exercises;  ///< in the order in which they are reported
+
+  double points() const;
+  const ExerciseRubric* find(const std::string& exercise) const;
+};
+
+/// Reads an assignment file (TOML; docs/assignment.md lists the keys).
+/// @throws UserError that names the file, the line and the key
+Assignment read_assignment(const std::filesystem::path& file);
+
+/// The same from text. `name` stands for the file in messages.
+Assignment parse_assignment(const std::string& text, const std::string& name);
+
+}  // namespace meshgrade

@@ -1,0 +1,165 @@
+#include "grader/base/process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include "grader/base/errors.h"
+
+namespace meshgrade {
+namespace {
+
+constexpr int kCannotStart = 127;
+
+[[noreturn]] void fail(const std::string& what) {
+  throw GraderError(what + ": " + std::strerror(errno));
+}
+
+struct Pipe {
+  FileDescriptor read_end;
+  FileDescriptor write_end;
+};
+
+Pipe make_pipe() {
+  int ends[2];
+  if (::pipe(ends) != 0) fail("cannot make a pipe");
+  ::fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+  ::fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+  return {FileDescriptor(ends[0]), FileDescriptor(ends[1])};
+}
+
+/// Runs in the new process, between fork and exec: only async-signal-safe calls.
+[[noreturn]] void become(const Command& command, char* const* argv, int input, int output) {
+  ::setpgid(0, 0);
+  // Out of the way first, so that no descriptor is overwritten before it has been copied.
+  constexpr int kSafe = 100;
+  ::dup2(input, kSafe);
+  ::dup2(output, kSafe + 1);
+  const int shared = static_cast<int>(command.shared_files.size());
+  for (int i = 0; i < shared; ++i) {
+    ::dup2(command.shared_files[static_cast<std::size_t>(i)], kSafe + 2 + i);
+  }
+  ::dup2(kSafe, STDIN_FILENO);
+  ::dup2(kSafe + 1, STDOUT_FILENO);
+  ::dup2(kSafe + 1, STDERR_FILENO);
+  for (int i = 0; i < shared; ++i) ::dup2(kSafe + 2 + i, 3 + i);
+  for (int fd = 3 + shared; fd < kSafe + 2 + shared; ++fd) ::close(fd);
+  if (!command.folder.empty() && ::chdir(command.folder.c_str()) != 0) ::_exit(kCannotStart);
+  ::execvp(argv[0], argv);
+  ::_exit(kCannotStart);
+}
+
+class Running {
+ public:
+  Running(pid_t child, FileDescriptor output, const Command& command)
+      : child_(child),
+        output_(std::move(output)),
+        deadline_(Clock::now() + command.time_limit),
+        kept_output_(command.kept_output) {}
+
+  ProcessResult wait() {
+    while (read_some()) {
+    }
+    if (result_.timed_out) ::kill(-child_, SIGKILL);
+    int status = 0;
+    while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+    }
+    ::kill(-child_, SIGKILL);  // what it may have left behind
+    if (WIFSIGNALED(status)) result_.signal = WTERMSIG(status);
+    if (WIFEXITED(status)) result_.status = WEXITSTATUS(status);
+    return std::move(result_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// Waits for output. @return false when the program has ended or its time is up
+  bool read_some() {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+        deadline_ - Clock::now());
+    if (left.count() <= 0) return !(result_.timed_out = true);
+    pollfd ready{output_.get(), POLLIN, 0};
+    const int count = ::poll(&ready, 1, static_cast<int>(left.count()) + 1);
+    if (count < 0) return errno == EINTR;
+    if (count == 0) return !(result_.timed_out = true);
+    char buffer[16384];
+    const ssize_t size = ::read(output_.get(), buffer, sizeof buffer);
+    if (size < 0) return errno == EINTR;
+    if (size == 0) return false;
+    const std::size_t room = kept_output_ - result_.output.size();
+    result_.output.append(buffer, std::min(static_cast<std::size_t>(size), room));
+    return true;
+  }
+
+  pid_t child_;
+  FileDescriptor output_;
+  Clock::time_point deadline_;
+  std::size_t kept_output_;
+  ProcessResult result_;
+};
+
+}  // namespace
+
+FileDescriptor::FileDescriptor(FileDescriptor&& other) noexcept
+    : fd_(std::exchange(other.fd_, -1)) {}
+
+FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
+  std::swap(fd_, other.fd_);
+  return *this;
+}
+
+FileDescriptor::~FileDescriptor() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+FileDescriptor make_scratch_file() {
+  std::string name = (std::filesystem::temp_directory_path() / "meshgrade-XXXXXX").string();
+  const int fd = ::mkstemp(name.data());
+  if (fd < 0) fail("cannot make a temporary file in " + name);
+  ::unlink(name.c_str());
+  ::fcntl(fd, F_SETFD, FD_CLOEXEC);
+  return FileDescriptor(fd);
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "meshgrade-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) fail("cannot make a temporary folder in " + name);
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+}
+
+ProcessResult run_process(const Command& command) {
+  FileDescriptor input = make_scratch_file();
+  if (::write(input.get(), command.input.data(), command.input.size()) !=
+          static_cast<ssize_t>(command.input.size()) ||
+      ::lseek(input.get(), 0, SEEK_SET) != 0) {
+    fail("cannot write a temporary file");
+  }
+  Pipe output = make_pipe();
+  std::vector<char*> argv;
+  for (const std::string& argument : command.arguments) {
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  }
+  argv.push_back(nullptr);
+  const pid_t child = ::fork();
+  if (child < 0) fail("cannot start " + command.arguments.at(0));
+  if (child == 0) become(command, argv.data(), input.get(), output.write_end.get());
+  output.write_end = FileDescriptor();
+  ProcessResult result = Running(child, std::move(output.read_end), command).wait();
+  if (result.status == kCannotStart && result.output.empty()) {
+    throw GraderError("cannot run " + command.arguments.at(0) + ": is it installed?");
+  }
+  return result;
+}
+
+}  // namespace meshgrade

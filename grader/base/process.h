@@ -1,0 +1,74 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace meshgrade {
+
+/// A file descriptor that closes itself.
+class FileDescriptor {
+ public:
+  FileDescriptor() = default;
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  FileDescriptor(FileDescriptor&& other) noexcept;
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept;
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  ~FileDescriptor();
+
+  int get() const { return fd_; }
+
+ private:
+  int fd_ = -1;
+};
+
+/// A nameless temporary file, open for reading and writing.
+/// @throws GraderError if there is no room for one
+FileDescriptor make_scratch_file();
+
+/// A temporary folder that deletes itself with all it holds.
+class ScratchFolder {
+ public:
+  /// @throws GraderError if it cannot be made
+  ScratchFolder();
+  ScratchFolder(ScratchFolder&& other) noexcept : path_(std::move(other.path_)) {
+    other.path_.clear();
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
+  ~ScratchFolder();
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A program to run. It gets no input and shares no descriptor but those named here.
+struct Command {
+  std::vector<std::string> arguments;  ///< the program first; looked up in PATH
+  std::filesystem::path folder;        ///< where it runs; empty: here
+  std::string input;                   ///< its standard input
+  std::vector<int> shared_files;       ///< become descriptors 3, 4, ... of the program
+  std::chrono::milliseconds time_limit{60'000};
+  std::size_t kept_output = 1U << 20U;  ///< bytes of output that are kept; the rest is dropped
+};
+
+/// How a program ended.
+struct ProcessResult {
+  bool timed_out = false;
+  int signal = 0;       ///< the signal that ended it, or 0
+  int status = 0;       ///< the exit status if no signal did
+  std::string output;   ///< what it wrote to standard output and standard error
+
+  bool ok() const { return !timed_out && signal == 0 && status == 0; }
+};
+
+/// Runs a program to its end, or to its time limit, when it and its process group are killed.
+/// @throws GraderError if it cannot be started at all
+ProcessResult run_process(const Command& command);
+
+}  // namespace meshgrade

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace meshgrade {
+
+/// The text with every control character but tab and newline, and every byte sequence that is
+/// not valid UTF-8, replaced by a visible "?". What comes from a student goes through this
+/// before it reaches a terminal or a report.
+std::string printable(std::string_view text);
+
+std::vector<std::string> split_lines(std::string_view text);
+std::string join(const std::vector<std::string>& parts, std::string_view between);
+
+/// A number as a person would write it: up to `digits` significant digits, no trailing zeros.
+std::string number_text(double value, int digits = 6);
+
+/// "(0.5, 1, 0)"
+template <class Point>
+std::string point_text(const Point& point) {
+  std::string text = "(";
+  for (double x : point) text += (text.size() > 1 ? ", " : "") + number_text(x);
+  return text + ")";
+}
+
+/// "1 edge", "2 edges", "2 half-edges"
+std::string plural(std::size_t count, std::string_view noun);
+
+}  // namespace meshgrade
