@@ -5,16 +5,15 @@
 // A surface made of polygons, stored so that neighbours are found by following pointers.
 // Every edge is cut lengthwise into two HALF-EDGES, one for each side, in opposite directions:
 //
-//                 b                    h->vertex()          a, where h starts
-//               / ^ \                  h->twin()            t, the other half
-//              /  |  \                 h->next()            the next half-edge of the same
-//              face,
-//             /   |   \                                     from b on, counter-clockwise
-//            / f  |h   \               h->face()            f, the face on the left of h
-//           x     |t  g y              h->edge()            the edge that h and t share
+//                 b              h->vertex()          a, where h starts
+//               / ^ \            h->twin()            t, the other half
+//              /  |  \           h->next()            the next half-edge of the same face:
+//             /   |   \                               from b to x, counter-clockwise
+//            / f  |h   \         h->face()            f, the face on the left of h
+//           x     |t  g y        h->edge()            the edge that h and t share
 //            \    |    /
-//             \   |   /                h->twin()->vertex()  b, where h ends
-//              \  v  /                 h->twin()->face()    g, the face on the other side
+//             \   |   /          h->twin()->vertex()  b, where h ends
+//              \  v  /           h->twin()->face()    g, the face on the other side
 //                 a
 //
 // FOUR KINDS OF ELEMENTS, and what each one points to:

@@ -50,10 +50,14 @@ class Handle {
     return old;
   }
   Handle& operator--() {
-    if (element_ == nullptr) detail::raise_fault(FaultKind::kUnsetHandle, T::kHandleName);
-    detail::count_step(T::kHandleName);
-    element_ = Pool::previous(mutable_element());
-    if (element_ == nullptr) detail::raise_fault(FaultKind::kPastEndHandle, T::kHandleName);
+    if (is_end()) {
+      detail::count_step(T::kHandleName);
+    } else {
+      check_element();
+    }
+    value_type* previous = Pool::previous(mutable_element());
+    if (previous == nullptr) detail::raise_fault(FaultKind::kPastEndHandle, T::kHandleName);
+    element_ = previous;
     return *this;
   }
   Handle operator--(int) {
@@ -83,6 +87,10 @@ class Handle {
   explicit Handle(T* element) : element_(element) {}
 
   value_type* mutable_element() const { return const_cast<value_type*>(element_); }
+
+  bool is_end() const {
+    return element_ != nullptr && element_->tag_.state() == detail::SlotState::kEnd;
+  }
 
   void check_element() const {
 #ifndef MESHEDIT_UNCHECKED

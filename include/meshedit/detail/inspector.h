@@ -87,6 +87,9 @@ inline void Inspector::copy(const HalfedgeMesh& from, HalfedgeMesh& to) {
   redirect_all(edges);
   redirect_all(faces);
   redirect_all(boundaries);
+  for (Edge* e : edges) {
+    if (e != nullptr) redirect(e->record.edge, from.edges, edges);
+  }
 }
 
 }  // namespace detail

@@ -168,7 +168,7 @@ class Pool {
     if (element->tag_.state() == SlotState::kEnd) {
       const Pool* pool = static_cast<const Pool*>(link_at(element).target);
       if (pool->used_ == 0) return nullptr;
-      slot = pool->at(pool->used_);
+      slot = pool->at(pool->used_ - 1) + 1;
     }
     for (--slot;;) {
       switch (slot->tag_.state()) {
@@ -186,8 +186,13 @@ class Pool {
   }
 
  private:
-  /// Stands in a slot that holds no element. Chunks begin and end with one.
+  /// Stands in a slot that holds no element. Chunks begin and end with one. Its tag is read as
+  /// if it were an element's, so the compiler must not take the two for different memory.
+#if defined(__GNUC__)
+  struct __attribute__((may_alias)) Link : Element {
+#else
   struct Link : Element {
+#endif
     void* target = nullptr;
 
     void set(SlotState state, std::size_t index, std::uint32_t mesh, void* new_target) {
