@@ -56,6 +56,11 @@ class PolygonImporter : public IO::ImporterT<NoMesh> {
       polygon.push_back(static_cast<std::uint32_t>(v.idx()));
     return FaceHandle(static_cast<int>(mesh.polygons.size()) - 1);
   }
+  // OpenMesh's OBJ reader calls these for every face, textured or not.
+  using TexCoords2 = std::vector<OpenMesh::Vec2f>;
+  using TexCoords3 = std::vector<Vec3f>;
+  void add_face_texcoords(FaceHandle, VertexHandle, const TexCoords2&) override {}
+  void add_face_texcoords(FaceHandle, VertexHandle, const TexCoords3&) override {}
   std::size_t n_vertices() const override { return mesh.positions.size(); }
   std::size_t n_faces() const override { return mesh.polygons.size(); }
 
