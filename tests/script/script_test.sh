@@ -21,14 +21,17 @@ stand_in() {
   chmod +x "$scratch/bin/$1"
 }
 
-for tool in bash cat chmod cp env flock ln mkdir readlink rm sleep tail tr; do
+for tool in bash cat chmod cp env flock grep ln mkdir mv readlink rm sleep tail tr; do
   if path=$(command -v "$tool"); then ln -s "$path" "$scratch/bin/$tool"; fi
 done
 stand_in c++ </dev/null
 stand_in apt-get </dev/null
 stand_in sudo <<<'exit 1'
 stand_in id <<<'echo 1000'
-stand_in cmake <<<'mkdir -p build/release && : >build/release/build.ninja'
+stand_in cmake <<'END'
+: >build/release/build.ninja
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt
+END
 stand_in dpkg-query <<'END'
 [ "${@: -1}" != "$MISSING" ] && printf installed
 END
@@ -101,6 +104,16 @@ second_call_neither_configures_nor_asks_for_packages() {
   ! was_called 'cmake' || fail "configured again"
   ! was_called 'dpkg-query' || fail "asked for packages again"
   was_called 'ninja' || fail "did not look for changes"
+}
+
+moved_project_is_built_anew() {
+  call "$project/meshgrade"
+  mv "$project" "$scratch/new place"
+  project="$scratch/new place"
+  : >"$calls"
+  call "$project/meshgrade" check
+  was_called 'cmake --preset release' || fail "did not configure"
+  [ "$out" = '<check>' ] || fail "the program did not run"
 }
 
 failed_build_shows_its_end_and_the_log() {
