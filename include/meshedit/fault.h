@@ -61,11 +61,8 @@ inline FaultHandler fault_handler = [](const Fault& fault) { print_and_abort(fau
 /// Steps that may still be taken. Every use of a handle is one step.
 inline std::int64_t steps_left = INT64_MAX;
 
-#if defined(__GNUC__)
-__attribute__((noinline, cold))
-#endif
-[[noreturn]] inline void
-raise_fault(FaultKind kind, const char* subject) {
+[[noreturn, gnu::noinline, gnu::cold]] inline void raise_fault(FaultKind kind,
+                                                               const char* subject) {
   const Fault fault{kind, subject};
   fault_handler(fault);
   print_and_abort(fault);

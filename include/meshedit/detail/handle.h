@@ -101,11 +101,7 @@ class Handle {
 #endif
   }
 
-#if defined(__GNUC__)
-  __attribute__((noinline, cold))
-#endif
-  void
-  report_misuse() const {
+  [[gnu::noinline, gnu::cold]] void report_misuse() const {
     if (element_ == nullptr) detail::raise_fault(FaultKind::kUnsetHandle, T::kHandleName);
     const bool deleted = element_->tag_.state() == detail::SlotState::kDeleted;
     detail::raise_fault(deleted ? FaultKind::kDeletedHandle : FaultKind::kPastEndHandle,
