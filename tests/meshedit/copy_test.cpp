@@ -16,7 +16,7 @@ class Copy : public FaultTest {};
 TEST_F(Copy, HasTheSameElementsInTheSameOrder) {
   for (const Polygons& polygons : all_triangle_meshes()) {
     const HalfedgeMesh mesh = mesh_of(polygons);
-    const HalfedgeMesh copy = mesh;
+    const HalfedgeMesh copy = mesh;  // NOLINT(performance-unnecessary-copy-initialization)
     EXPECT_EQ(full_wiring(copy), full_wiring(mesh));
     EXPECT_EQ(broken_rule(copy), "");
   }

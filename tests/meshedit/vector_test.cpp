@@ -104,7 +104,7 @@ TEST(Vectors, CrossIsRightHandedAndPerpendicular) {
 // A real mistake of students. The headers must not hide it, so that the grader can explain it.
 TEST(Vectors, IntegerDivisionIsAsWrongAsEver) {
   const Vector3D v(1, 2, 3);
-  EXPECT_TRUE(equal(3 / 8 * v, Vector3D(0, 0, 0)));
+  EXPECT_TRUE(equal(3 / 8 * v, Vector3D(0, 0, 0)));  // NOLINT(bugprone-integer-division)
   EXPECT_TRUE(equal(3.0 / 8 * Vector3D(8, 16, 24), Vector3D(3, 6, 9)));
 }
 
