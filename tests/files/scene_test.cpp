@@ -38,6 +38,8 @@ class GltfScene : public ScratchFolder {
       put(static_cast<char>(v));
     for (const int x : {5, 0, 0})
       put(static_cast<float>(x));
+    for (const int x : {0, 0, 0, 9, 2, 0, 0, 9, 0, 2, 0, 9})
+      put(static_cast<float>(x));
     write("data.bin", bytes);
     file = Json::parse(R"({
       "asset": {"version": "2.0"},
