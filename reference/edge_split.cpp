@@ -96,7 +96,6 @@ VertexIter HalfedgeMesh::splitEdge(EdgeIter e0) {
   const EdgeIter e1 = newEdge();
   e1->halfedge() = h1;
   e1->isNew = e0->isNew;
-  e0->halfedge() = h;
   h1->edge() = e1;
   t->edge() = e1;
   t1->edge() = e0;
