@@ -79,8 +79,9 @@ inline Size Face::degree() const {
 inline Vector3D Face::normal() const {
   Vector3D sum;
   HalfedgeCIter h = halfedge();
+  const Vector3D corner = h->vertex()->position;
   do {
-    sum += cross(h->vertex()->position, h->next()->vertex()->position);
+    sum += cross(h->vertex()->position - corner, h->next()->vertex()->position - corner);
     h = h->next();
   } while (h != halfedge());
   return sum.unit();
