@@ -112,6 +112,9 @@ void on_signal(int signal) {
   for (int i = 0; i < depth; ++i) {
     running.shared->stack[i] = reinterpret_cast<std::uintptr_t>(frames[i]);
   }
+  // Frame 0 is this handler, 1 the way back from it, and 2 the instruction itself, which unlike
+  // a return address must not be counted back from.
+  if (depth > 2) ++running.shared->stack[2];
   running.shared->stack_size = static_cast<std::uint32_t>(depth);
   running.shared->signal = signal;
   ::_exit(kSignalNotedStatus);
@@ -198,6 +201,7 @@ void write_end(EndFrame frame, SharedState& shared, std::uint64_t limit) {
 
 void run_tasks(const TaskList& list, SharedState& shared) {
   running = {&list, &shared, nullptr};
+  ::fcntl(kOutputFile, F_SETFL, O_APPEND);
   ::dup2(kOutputFile, STDOUT_FILENO);
   ::dup2(kOutputFile, STDERR_FILENO);
   ::setvbuf(stdout, nullptr, _IOLBF, 1U << 12U);

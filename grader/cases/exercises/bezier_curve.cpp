@@ -1,0 +1,52 @@
+#include "grader/base/text.h"
+#include "grader/cases/bezier_input.h"
+#include "grader/cases/case_list.h"
+
+namespace meshgrade {
+namespace {
+
+constexpr std::uint64_t kNoSteps = 1000;  // curves have no handles to step through
+
+std::vector<Point2> random_points(std::size_t count, Random& random) {
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    points.push_back({random.between(-5.0, 5.0), random.between(-5.0, 5.0)});
+  }
+  return points;
+}
+
+void add_step(CaseMaker& maker, const std::string& group, std::vector<Point2> points,
+              double t) {
+  maker.add(group,
+            "one step with " + plural(points.size(), "point") + " at t = " + number_text(t),
+            kNoSteps, CurveInput{std::move(points), t, 1});
+}
+
+void add_whole(CaseMaker& maker, const std::string& what, std::vector<Point2> points,
+               double t) {
+  const auto steps = static_cast<std::uint32_t>(points.size() - 1);
+  maker.add("whole",
+            "all " + std::to_string(steps) + " steps on " + what + " at t = " + number_text(t),
+            kNoSteps, CurveInput{std::move(points), t, steps});
+}
+
+}  // namespace
+
+void make_bezier_curve_cases(CaseMaker& maker) {
+  Random random = maker.random("points");
+  for (std::size_t count : {2U, 3U, 4U, 6U}) {
+    for (double t : {0.5, 0.25, 0.0, 1.0}) {
+      add_step(maker, "basic", random_points(count, random), t);
+    }
+  }
+  for (const char* file : {"parabola_3.bzc", "arch_4.bzc", "loop_6.bzc", "wave_10.bzc"}) {
+    for (double t : {0.25, 0.5, 0.0, 1.0, random.unit()}) {
+      add_whole(maker, file, maker.curve(file), t);
+    }
+  }
+  for (std::size_t count = 2; count <= 20; ++count) {
+    add_step(maker, "stress", random_points(count, random), random.unit());
+  }
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,82 @@
+#include "grader/base/text.h"
+#include "grader/cases/bezier_input.h"
+#include "grader/cases/case_list.h"
+
+namespace meshgrade {
+namespace {
+
+using Net = std::vector<std::vector<Point3>>;
+
+constexpr std::uint64_t kNoSteps = 1000;  // patches have no handles to step through
+
+std::vector<Point3> random_row(std::size_t count, Random& random) {
+  std::vector<Point3> row;
+  for (std::size_t i = 0; i < count; ++i) {
+    row.push_back({random.between(-3.0, 3.0), random.between(-3.0, 3.0),
+                   random.between(-3.0, 3.0)});
+  }
+  return row;
+}
+
+Net random_net(std::size_t rows, std::size_t columns, Random& random) {
+  Net net;
+  for (std::size_t i = 0; i < rows; ++i) net.push_back(random_row(columns, random));
+  return net;
+}
+
+Net to_net(const ControlNet& control) {
+  Net net(control.rows);
+  for (std::size_t r = 0; r < control.rows; ++r) {
+    for (std::size_t c = 0; c < control.cols; ++c) net[r].push_back(control.at(r, c));
+  }
+  return net;
+}
+
+void add_step_and_line(CaseMaker& maker, std::size_t count, double t, Random& random) {
+  const std::string where = plural(count, "point") + " at t = " + number_text(t);
+  maker.add("step", "evaluateStep on " + where, kNoSteps,
+            PatchInput{PatchFunction::kStep, {random_row(count, random)}, {{t, 0.0}}});
+  maker.add("line", "evaluate1D on " + where, kNoSteps,
+            PatchInput{PatchFunction::kLine, {random_row(count, random)}, {{t, 0.0}}});
+}
+
+void add_surface(CaseMaker& maker, const std::string& group, const std::string& what, Net net,
+                 const std::vector<std::array<double, 2>>& parameters) {
+  maker.add(group,
+            "evaluate on " + what + " (" + std::to_string(net.size()) + " rows of " +
+                std::to_string(net[0].size()) + ") at " +
+                plural(parameters.size(), "place"),
+            kNoSteps, PatchInput{PatchFunction::kSurface, std::move(net), parameters});
+}
+
+}  // namespace
+
+void make_bezier_patch_cases(CaseMaker& maker) {
+  Random random = maker.random("nets");
+  for (std::size_t count : {2U, 3U, 4U, 7U}) {
+    for (double t : {0.5, 0.25, 0.0, 1.0, random.unit()}) {
+      add_step_and_line(maker, count, t, random);
+    }
+  }
+  add_surface(maker, "surface", "wavy.bez", to_net(maker.patches("wavy.bez").at(0)),
+              {{0.25, 0.75}, {0.5, 0.5}, {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}});
+  for (int i = 0; i < 6; ++i) {
+    add_surface(maker, "surface", "a random net", random_net(4, 4, random),
+                {{0.25, 0.75}, {random.unit(), random.unit()}, {1.0, 0.0}});
+  }
+  add_surface(maker, "stress", "net_3x5.bez", to_net(maker.patches("net_3x5.bez").at(0)),
+              {{0.25, 0.75}, {0.0, 1.0}, {random.unit(), random.unit()}});
+  for (std::size_t rows : {2U, 3U, 5U}) {
+    for (std::size_t columns : {2U, 4U, 6U}) {
+      add_surface(maker, "stress", "a random net", random_net(rows, columns, random),
+                  {{0.25, 0.75}, {random.unit(), random.unit()}});
+    }
+  }
+  int number = 0;
+  for (const ControlNet& patch : maker.patches("teapot.bez")) {
+    add_surface(maker, "stress", "patch " + std::to_string(++number) + " of the teapot",
+                to_net(patch), {{random.unit(), random.unit()}, {0.5, 0.25}});
+  }
+}
+
+}  // namespace meshgrade

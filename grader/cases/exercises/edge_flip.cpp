@@ -1,0 +1,53 @@
+#include "grader/cases/operation_cases.h"
+
+namespace meshgrade {
+namespace {
+
+/// Six flips of one edge bring its diamond back to where it began.
+void add_six_flips(CaseMaker& maker, const std::string& file) {
+  const PolygonMesh mesh = maker.mesh(file);
+  TriangleSet triangles(mesh);
+  VertexPair edge{0, 0};
+  for (const VertexPair& candidate : triangles.edges()) {
+    if (triangles.can_flip(candidate)) edge = candidate;
+  }
+  if (edge.first == edge.second) return;
+  std::vector<Operation> flips;
+  const std::string title = "six flips in a row of the edge " + edge_text(edge) + " of " + file;
+  for (int i = 0; i < 6; ++i) {
+    flips.push_back({OperationKind::kFlip, edge.first, edge.second});
+    edge = triangles.flip(edge);
+  }
+  add_operations(maker, "stress", title, mesh, flips);
+}
+
+/// A flip touches two faces, whatever the size of the mesh.
+void add_constant_work(CaseMaker& maker) {
+  const PolygonMesh mesh = make_torus(100, 100);
+  maker.add("stress", "flip one edge of a mesh of 20,000 triangles: constant work", 5000,
+            OperationsInput{mesh, {{OperationKind::kFlip, 0, 1}}});
+}
+
+}  // namespace
+
+void make_edge_flip_cases(CaseMaker& maker) {
+  for (const char* file : {"two_triangles.obj", "octahedron.off", "cube.obj", "icosahedron.obj",
+                           "grid_4x4.obj", "fan.obj", "tetrahedron.obj"}) {
+    add_every_edge(maker, "basic", OperationKind::kFlip, file, EdgeChoice::kInner);
+  }
+  for (const char* file : {"two_triangles.obj", "single_triangle.obj", "grid_4x4.obj",
+                           "cylinder.dae"}) {
+    add_every_edge(maker, "boundary", OperationKind::kFlip, file, EdgeChoice::kBoundary);
+  }
+  for (const char* file : {"two_triangles.obj", "octahedron.off", "cube.obj"}) {
+    add_six_flips(maker, file);
+  }
+  Random random = maker.random("sequences");
+  for (const char* file : {"octahedron.off", "cube_crossed.obj", "icosahedron.obj", "torus.ply",
+                           "valence_zoo.obj", "grid_4x4.obj", "double_torus.obj"}) {
+    add_sequence(maker, "stress", file, 12, 10, random);
+  }
+  add_constant_work(maker);
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,26 @@
+#include "grader/cases/operation_cases.h"
+
+namespace meshgrade {
+
+void make_edge_split_cases(CaseMaker& maker) {
+  for (const char* file : {"two_triangles.obj", "tetrahedron.obj", "octahedron.off", "cube.obj",
+                           "icosahedron.obj", "grid_4x4.obj", "sliver.obj"}) {
+    add_every_edge(maker, "basic", OperationKind::kSplit, file, EdgeChoice::kInner);
+  }
+  for (const char* group : {"boundary", "boundary_split"}) {
+    for (const char* file : {"two_triangles.obj", "single_triangle.obj", "grid_4x4.obj",
+                             "cylinder.dae"}) {
+      add_every_edge(maker, group, OperationKind::kSplit, file, EdgeChoice::kBoundary);
+    }
+  }
+  Random random = maker.random("sequences");
+  for (const char* file : {"tetrahedron.obj", "octahedron.off", "cube_crossed.obj",
+                           "valence_zoo.obj", "grid_4x4.obj", "two_components.obj"}) {
+    add_sequence(maker, "stress", file, 8, 0, random);
+  }
+  for (const char* file : {"octahedron.off", "icosahedron.obj", "torus.ply"}) {
+    add_sequence(maker, "stress", file, 12, 5, random);
+  }
+}
+
+}  // namespace meshgrade

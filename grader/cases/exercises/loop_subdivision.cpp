@@ -1,0 +1,45 @@
+#include "grader/base/text.h"
+#include "grader/cases/case_list.h"
+#include "grader/cases/mesh_input.h"
+#include "grader/cases/mesh_shapes.h"
+
+namespace meshgrade {
+namespace {
+
+/// A solution by split and flip uses some 150 handles for each triangle that it makes; one that
+/// searches the mesh for every edge uses thousands.
+constexpr std::uint64_t kStepsPerTriangle = 1000;
+
+void add(CaseMaker& maker, const std::string& group, const std::string& what,
+         const PolygonMesh& mesh, std::uint32_t levels) {
+  const std::uint64_t triangles = mesh.polygons.size() << (2U * levels);
+  maker.add(group, plural(levels, "level") + " on " + what,
+            10'000 + kStepsPerTriangle * triangles, SubdivisionInput{mesh, levels});
+}
+
+}  // namespace
+
+void make_loop_subdivision_cases(CaseMaker& maker) {
+  for (const char* file : {"tetrahedron.obj", "octahedron.off", "icosahedron.obj", "cube.obj",
+                           "cube_crossed.obj", "torus.ply", "valence_zoo.obj"}) {
+    add(maker, "basic", file, maker.mesh(file), 1);
+  }
+  Random random = maker.random("jitter");
+  add(maker, "basic", "a stretched and shaken icosahedron",
+      jittered(maker.mesh("icosahedron.obj"), 0.2, random), 1);
+  add(maker, "repeated", "tetrahedron.obj", maker.mesh("tetrahedron.obj"), 4);
+  add(maker, "repeated", "octahedron.off", maker.mesh("octahedron.off"), 3);
+  add(maker, "repeated", "cube.obj", maker.mesh("cube.obj"), 2);
+  add(maker, "repeated", "valence_zoo.obj", maker.mesh("valence_zoo.obj"), 2);
+  for (const char* file : {"single_triangle.obj", "two_triangles.obj", "fan.obj",
+                           "grid_4x4.obj", "cylinder.dae"}) {
+    add(maker, "boundary", file, maker.mesh(file), 1);
+    add(maker, "boundary", file, maker.mesh(file), 2);
+  }
+  add(maker, "stress", "two_components.obj", maker.mesh("two_components.obj"), 2);
+  add(maker, "stress", "double_torus.obj", maker.mesh("double_torus.obj"), 1);
+  add(maker, "stress", "sliver.obj", maker.mesh("sliver.obj"), 1);
+  add(maker, "stress", "a torus of 20,000 triangles", make_torus(100, 100), 1);
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,153 @@
+#include "grader/build/build.h"
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <thread>
+
+#include "grader/base/errors.h"
+#include "grader/base/text.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_file(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  if (!stream.flush()) throw GraderError("cannot write " + file.string());
+}
+
+/// Calls `work(i)` for i = 0 .. count - 1 on all cores.
+template <class Work>
+void in_parallel(std::size_t count, Work work) {
+  std::atomic<std::size_t> next{0};
+  const auto take_turns = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::jthread> helpers;
+  for (std::size_t i = 1; i < std::min(cores, count); ++i) helpers.emplace_back(take_turns);
+  take_turns();
+}
+
+std::string object_name(const std::string& source) { return source + ".o"; }
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+}
+
+class Builder {
+ public:
+  Builder(const Submission& submission, const Home& home, const Limits& limits)
+      : submission_(submission), home_(home), limits_(limits) {}
+
+  Build build() {
+    for (const SourceFile& file : submission_.headers) write_file(path(file.name), file.text);
+    for (const SourceFile& file : submission_.sources) write_file(path(file.name), file.text);
+    build_.files.resize(submission_.sources.size());
+    in_parallel(build_.files.size(), [&](std::size_t i) { compile(i); });
+    link_all();
+    build_.worker = path(kWorker);
+    return std::move(build_);
+  }
+
+ private:
+  static constexpr const char* kWorker = "worker";
+
+  fs::path path(const std::string& name) const { return build_.folder.path() / name; }
+
+  Command command(std::vector<std::string> arguments) const {
+    Command command;
+    command.arguments = std::move(arguments);
+    command.folder = build_.folder.path();
+    command.time_limit = std::chrono::seconds(limits_.compile_seconds);
+    command.kept_output = 64U << 10U;
+    return command;
+  }
+
+  /// Compiler messages without the machine's paths.
+  std::string clean(std::string messages) const {
+    replace_all(messages, build_.folder.path().string() + "/", "");
+    replace_all(messages, home_.include.string() + "/", "");
+    return printable(messages);
+  }
+
+  void compile(std::size_t i) {
+    BuiltFile& file = build_.files[i];
+    file.name = submission_.sources[i].name;
+    const ProcessResult result = run_process(command(
+        {home_.compiler, "@" + (home_.kit / "flags.txt").string(),
+         "-I" + (home_.kit / "precompiled").string(), "-I" + home_.include.string(),
+         "-ffile-prefix-map=" + build_.folder.path().string() + "=.", "-include",
+         "meshedit/meshedit.h", "-c", file.name, "-o", object_name(file.name)}));
+    file.ok = result.ok();
+    file.messages = clean(result.output);
+    if (result.timed_out) {
+      file.messages = "compiling took longer than " + std::to_string(limits_.compile_seconds) +
+                      " seconds and was stopped\n";
+    } else if (!file.ok && file.messages.empty()) {
+      file.messages = "the compiler ended without a message\n";
+    }
+  }
+
+  /// Links the worker with these sources' objects.
+  ProcessResult link(const std::vector<std::size_t>& sources) const {
+    std::vector<std::string> arguments{home_.compiler, "-no-pie", "-o", kWorker};
+    for (std::size_t i : sources) arguments.push_back(object_name(build_.files[i].name));
+    arguments.push_back((home_.kit / "libmeshgrade_worker.a").string());
+    return run_process(command(std::move(arguments)));
+  }
+
+  /// Links all that compiled. If that fails, adds the objects one by one, until none is left
+  /// that can be added: a file may need another one that comes later.
+  void link_all() {
+    std::vector<std::size_t> waiting;
+    for (std::size_t i = 0; i < build_.files.size(); ++i) {
+      if (build_.files[i].ok) waiting.push_back(i);
+    }
+    const ProcessResult first = link(waiting);
+    if (first.ok()) return;
+    std::vector<std::size_t> taken;
+    for (bool progress = true; progress;) {
+      progress = false;
+      for (std::size_t i : std::vector<std::size_t>(waiting)) {
+        taken.push_back(i);
+        const ProcessResult result = link(taken);
+        if (result.ok()) {
+          progress = true;
+          waiting.erase(std::find(waiting.begin(), waiting.end(), i));
+        } else {
+          taken.pop_back();
+          build_.files[i].messages = clean(result.output);
+        }
+      }
+    }
+    for (std::size_t i : waiting) build_.files[i].ok = false;
+    const ProcessResult last = link(taken);
+    if (!last.ok()) throw GraderError("the worker cannot be linked: " + last.output);
+  }
+
+  const Submission& submission_;
+  const Home& home_;
+  const Limits& limits_;
+  Build build_;
+};
+
+}  // namespace
+
+const BuiltFile* Build::find(const std::string& name) const {
+  for (const BuiltFile& file : files) {
+    if (file.name == name) return &file;
+  }
+  return nullptr;
+}
+
+Build build_submission(const Submission& submission, const Home& home, const Limits& limits) {
+  return Builder(submission, home, limits).build();
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grader/assignment/assignment.h"
+#include "grader/base/process.h"
+#include "grader/build/home.h"
+#include "grader/submission/submission.h"
+
+namespace meshgrade {
+
+/// How one source file fared.
+struct BuiltFile {
+  std::string name;
+  bool ok = false;
+  std::string messages;  ///< of the compiler or linker; also warnings of a file that compiled
+};
+
+/// A worker that contains the student's functions; those that are missing answer "not
+/// implemented". The program lies in a scratch folder that lives as long as this value.
+struct Build {
+  ScratchFolder folder;
+  std::filesystem::path worker;
+  std::vector<BuiltFile> files;
+
+  const BuiltFile* find(const std::string& name) const;
+};
+
+/// Compiles every source on its own, several at a time, and links what compiled. A file that
+/// does not compile or link is left out and takes no other file with it.
+/// @throws GraderError if not even the empty submission can be linked
+Build build_submission(const Submission& submission, const Home& home, const Limits& limits);
+
+}  // namespace meshgrade

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+namespace meshgrade {
+
+/// Where the program's own files are.
+struct Home {
+  std::filesystem::path include;  ///< the folder that holds meshedit/
+  std::filesystem::path kit;      ///< compiler flags, precompiled headers, the worker's objects
+  std::filesystem::path meshes;   ///< the meshes that cases are made from
+  std::filesystem::path docs;
+  std::string compiler;           ///< the C++ compiler for submissions
+};
+
+}  // namespace meshgrade

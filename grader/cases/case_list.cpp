@@ -1,0 +1,86 @@
+#include "grader/cases/case_list.h"
+
+#include <algorithm>
+#include <map>
+
+#include "grader/base/errors.h"
+#include "grader/cases/mesh_shapes.h"
+#include "grader/files/bezier_file.h"
+#include "grader/files/mesh_file.h"
+
+namespace meshgrade {
+
+#define MESHGRADE_EXERCISE(name) void make_##name##_cases(CaseMaker& maker);
+#include "exercise_list.inc"
+#undef MESHGRADE_EXERCISE
+
+namespace {
+
+using MakeCases = void (*)(CaseMaker&);
+
+const std::map<std::string, MakeCases>& makers() {
+  static const std::map<std::string, MakeCases> table{
+#define MESHGRADE_EXERCISE(name) {#name, make_##name##_cases},
+#include "exercise_list.inc"
+#undef MESHGRADE_EXERCISE
+  };
+  return table;
+}
+
+}  // namespace
+
+PolygonMesh CaseMaker::mesh(const std::string& file) const {
+  return in_build_order(read_mesh(meshes_ / file).mesh);
+}
+
+std::vector<ControlNet> CaseMaker::patches(const std::string& file) const {
+  return read_bez(meshes_ / file);
+}
+
+std::vector<Point2> CaseMaker::curve(const std::string& file) const {
+  return read_bzc(meshes_ / file);
+}
+
+void CaseMaker::add_packed(const std::string& group, const std::string& title,
+                           std::uint64_t step_budget, std::string input) {
+  const auto named = [&](const Group& g) { return g.name == group; };
+  if (std::none_of(rubric_.groups.begin(), rubric_.groups.end(), named)) return;
+  const auto number = std::count_if(cases_.begin(), cases_.end(),
+                                    [&](const Case& c) { return c.group == group; });
+  cases_.push_back({rubric_.name, group, static_cast<int>(number) + 1, title, std::move(input),
+                    step_budget});
+}
+
+std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric& rubric,
+                             const std::filesystem::path& meshes) {
+  const auto maker = makers().find(rubric.name);
+  if (maker == makers().end()) {
+    throw UserError("the assignment names the exercise \"" + rubric.name +
+                    "\", which does not exist");
+  }
+  CaseMaker cases(assignment, rubric, meshes);
+  maker->second(cases);
+  std::vector<Case> made = cases.take();
+  for (const Group& group : rubric.groups) {
+    const auto in_group = [&](const Case& c) { return c.group == group.name; };
+    if (std::none_of(made.begin(), made.end(), in_group)) {
+      throw UserError("the assignment names the group \"" + group.name + "\" of " +
+                      rubric.name + ", which has no cases");
+    }
+  }
+  return made;
+}
+
+Case find_case(const Assignment& assignment, const std::filesystem::path& meshes,
+               const std::string& id) {
+  const ExerciseRubric* rubric = assignment.find(id.substr(0, id.find(':')));
+  if (rubric != nullptr) {
+    for (Case& c : make_cases(assignment, *rubric, meshes)) {
+      if (c.id() == id) return c;
+    }
+  }
+  throw UserError("there is no case \"" + id + "\"; write it as in the report, like "
+                  "edge_split:basic/3");
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grader/assignment/assignment.h"
+#include "grader/base/random.h"
+#include "grader/base/wire.h"
+#include "grader/cases/case.h"
+#include "grader/mesh/bezier_data.h"
+#include "grader/mesh/polygon_mesh.h"
+
+namespace meshgrade {
+
+/// What an exercise makes its cases with. Cases of groups that the assignment does not name
+/// are left out.
+class CaseMaker {
+ public:
+  CaseMaker(const Assignment& assignment, const ExerciseRubric& rubric,
+            std::filesystem::path meshes)
+      : assignment_(assignment), rubric_(rubric), meshes_(std::move(meshes)) {}
+
+  /// Adds a case. `input` is packed for the worker.
+  template <class Input>
+  void add(const std::string& group, const std::string& title, std::uint64_t step_budget,
+           const Input& input) {
+    add_packed(group, title, step_budget, to_wire(input));
+  }
+
+  /// A mesh file of the meshes folder, its vertices in build order.
+  /// @throws UserError if it cannot be read
+  PolygonMesh mesh(const std::string& file) const;
+  std::vector<ControlNet> patches(const std::string& file) const;
+  std::vector<Point2> curve(const std::string& file) const;
+
+  /// Random numbers of this exercise; each purpose has a stream of its own.
+  Random random(const std::string& purpose) const {
+    return {assignment_.seed, rubric_.name + "/" + purpose};
+  }
+
+  std::vector<Case> take() { return std::move(cases_); }
+
+ private:
+  void add_packed(const std::string& group, const std::string& title,
+                  std::uint64_t step_budget, std::string input);
+
+  const Assignment& assignment_;
+  const ExerciseRubric& rubric_;
+  std::filesystem::path meshes_;
+  std::vector<Case> cases_;
+};
+
+/// The cases of one exercise of the assignment, in a fixed order. Two calls give the same bytes.
+/// @throws UserError if the exercise or one of its groups does not exist, or a mesh file cannot
+///         be read
+std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric& rubric,
+                             const std::filesystem::path& meshes);
+
+/// A case by its id, "edge_split:boundary/7".
+/// @throws UserError if there is none
+Case find_case(const Assignment& assignment, const std::filesystem::path& meshes,
+               const std::string& id);
+
+}  // namespace meshgrade

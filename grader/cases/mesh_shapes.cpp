@@ -1,0 +1,130 @@
+#include "grader/cases/mesh_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace meshgrade {
+
+PolygonMesh in_build_order(const PolygonMesh& mesh) {
+  PolygonMesh ordered;
+  constexpr std::uint32_t kNone = UINT32_MAX;
+  std::vector<std::uint32_t> number(mesh.positions.size(), kNone);
+  for (const auto& polygon : mesh.polygons) {
+    auto& corners = ordered.polygons.emplace_back();
+    for (std::uint32_t corner : polygon) {
+      if (number[corner] == kNone) {
+        number[corner] = static_cast<std::uint32_t>(ordered.positions.size());
+        ordered.positions.push_back(mesh.positions[corner]);
+      }
+      corners.push_back(number[corner]);
+    }
+  }
+  return ordered;
+}
+
+PolygonMesh jittered(const PolygonMesh& mesh, double amount, Random& random) {
+  const auto move = [&](double x) { return x + random.between(-amount, amount); };
+  return mapped(mesh, [&](const Point3& p) {
+    return Point3{move(p[0]), move(2.0 * p[1]), move(0.5 * p[2])};
+  });
+}
+
+PolygonMesh make_torus(std::uint32_t rings, std::uint32_t sides) {
+  PolygonMesh mesh;
+  const auto angle = [](std::uint32_t i, std::uint32_t n) {
+    return 2.0 * std::numbers::pi * i / n;
+  };
+  for (std::uint32_t i = 0; i < rings; ++i) {
+    for (std::uint32_t j = 0; j < sides; ++j) {
+      const double u = angle(i, rings);
+      const double v = angle(j, sides);
+      const double radius = 3.0 + std::cos(v);
+      mesh.positions.push_back({radius * std::cos(u), radius * std::sin(u), std::sin(v)});
+    }
+  }
+  for (std::uint32_t i = 0; i < rings; ++i) {
+    for (std::uint32_t j = 0; j < sides; ++j) {
+      const auto at = [&](std::uint32_t di, std::uint32_t dj) {
+        return (i + di) % rings * sides + (j + dj) % sides;
+      };
+      mesh.polygons.push_back({at(0, 0), at(1, 0), at(1, 1)});
+      mesh.polygons.push_back({at(0, 0), at(1, 1), at(0, 1)});
+    }
+  }
+  return in_build_order(mesh);
+}
+
+TriangleSet::TriangleSet(const PolygonMesh& mesh)
+    : vertices_(static_cast<std::uint32_t>(mesh.positions.size())) {
+  for (const auto& t : mesh.polygons) add(t.at(0), t.at(1), t.at(2));
+}
+
+std::vector<VertexPair> TriangleSet::edges() const {
+  std::vector<VertexPair> result;
+  for (const auto& [edge, third] : third_) {
+    if (edge.first < edge.second) {
+      result.push_back(edge);
+    } else if (third_.count({edge.second, edge.first}) == 0) {
+      result.emplace_back(edge.second, edge.first);
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+bool TriangleSet::has_edge(std::uint32_t a, std::uint32_t b) const {
+  return third_.count({a, b}) != 0 || third_.count({b, a}) != 0;
+}
+
+bool TriangleSet::is_boundary(VertexPair edge) const {
+  return third_.count(edge) == 0 || third_.count({edge.second, edge.first}) == 0;
+}
+
+VertexPair TriangleSet::opposite(VertexPair edge) const {
+  return {third_.at(edge), third_.at({edge.second, edge.first})};
+}
+
+bool TriangleSet::can_flip(VertexPair edge) const {
+  if (is_boundary(edge)) return false;
+  const auto [c, d] = opposite(edge);
+  return c != d && !has_edge(c, d);
+}
+
+VertexPair TriangleSet::flip(VertexPair edge) {
+  const auto [a, b] = edge;
+  const auto [c, d] = opposite(edge);
+  remove(a, b);
+  remove(b, a);
+  add(a, d, c);
+  add(b, c, d);
+  return std::minmax(c, d);
+}
+
+std::uint32_t TriangleSet::split(VertexPair edge) {
+  const auto [a, b] = edge;
+  const auto [c, d] = opposite(edge);
+  const std::uint32_t m = vertices_++;
+  remove(a, b);
+  remove(b, a);
+  add(a, m, c);
+  add(m, b, c);
+  add(b, m, d);
+  add(m, a, d);
+  return m;
+}
+
+void TriangleSet::add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  third_[{a, b}] = c;
+  third_[{b, c}] = a;
+  third_[{c, a}] = b;
+}
+
+void TriangleSet::remove(std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t c = third_.at({a, b});
+  third_.erase({a, b});
+  third_.erase({b, c});
+  third_.erase({c, a});
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,63 @@
+#include "grader/cases/operation_cases.h"
+
+#include "grader/base/text.h"
+
+namespace meshgrade {
+namespace {
+
+const char* verb(OperationKind kind) { return kind == OperationKind::kFlip ? "flip" : "split"; }
+
+std::string sequence_text(std::uint32_t length, std::uint32_t flips_of_ten) {
+  const std::string count = std::to_string(length);
+  if (flips_of_ten == 10) return count + " random flips of ";
+  if (flips_of_ten == 0) return count + " random splits of ";
+  return count + " random splits and flips of ";
+}
+
+}  // namespace
+
+std::string edge_text(VertexPair edge) {
+  return "v" + std::to_string(edge.first) + "-v" + std::to_string(edge.second);
+}
+
+void add_operations(CaseMaker& maker, const std::string& group, const std::string& title,
+                    const PolygonMesh& mesh, const std::vector<Operation>& operations) {
+  const std::uint64_t budget = operations.size() * (2000 + 100 * mesh.polygons.size());
+  maker.add(group, title, budget, OperationsInput{mesh, operations});
+}
+
+void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,
+                    const std::string& file, EdgeChoice choice) {
+  const PolygonMesh mesh = maker.mesh(file);
+  const TriangleSet triangles(mesh);
+  for (const VertexPair& edge : triangles.edges()) {
+    if (triangles.is_boundary(edge) != (choice == EdgeChoice::kBoundary)) continue;
+    const char* place = choice == EdgeChoice::kBoundary ? "boundary edge " : "edge ";
+    add_operations(maker, group,
+                   std::string(verb(kind)) + " the " + place + edge_text(edge) + " of " + file,
+                   mesh, {{kind, edge.first, edge.second}});
+  }
+}
+
+void add_sequence(CaseMaker& maker, const std::string& group, const std::string& file,
+                  std::uint32_t length, std::uint32_t flips_of_ten, Random& random) {
+  const PolygonMesh mesh = maker.mesh(file);
+  TriangleSet triangles(mesh);
+  std::vector<Operation> operations;
+  while (operations.size() < length) {
+    const std::vector<VertexPair> edges = triangles.edges();
+    const VertexPair edge = edges[random.below(static_cast<std::uint32_t>(edges.size()))];
+    const bool flip = random.below(10) < flips_of_ten;
+    if (flip ? !triangles.can_flip(edge) : triangles.is_boundary(edge)) continue;
+    operations.push_back({flip ? OperationKind::kFlip : OperationKind::kSplit, edge.first,
+                          edge.second});
+    if (flip) {
+      triangles.flip(edge);
+    } else {
+      triangles.split(edge);
+    }
+  }
+  add_operations(maker, group, sequence_text(length, flips_of_ten) + file, mesh, operations);
+}
+
+}  // namespace meshgrade

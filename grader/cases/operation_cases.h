@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/cases/case_list.h"
+#include "grader/cases/mesh_input.h"
+#include "grader/cases/mesh_shapes.h"
+
+namespace meshgrade {
+
+/// "v0-v4"
+std::string edge_text(VertexPair edge);
+
+/// Adds a case of these operations, with a step budget in proportion to the mesh.
+void add_operations(CaseMaker& maker, const std::string& group, const std::string& title,
+                    const PolygonMesh& mesh, const std::vector<Operation>& operations);
+
+enum class EdgeChoice { kInner, kBoundary };
+
+/// Adds one case for every inner or every boundary edge of a mesh file.
+void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,
+                    const std::string& file, EdgeChoice choice);
+
+/// Adds a random sequence of `length` operations on inner edges of a mesh file. Each is one
+/// that has a single right outcome: flips never double an edge. `flips_of_ten` says how many
+/// of ten operations are flips.
+void add_sequence(CaseMaker& maker, const std::string& group, const std::string& file,
+                  std::uint32_t length, std::uint32_t flips_of_ten, Random& random);
+
+}  // namespace meshgrade

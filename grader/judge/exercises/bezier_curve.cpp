@@ -1,0 +1,111 @@
+#include <algorithm>
+
+#include "grader/base/text.h"
+#include "grader/cases/bezier_input.h"
+#include "grader/judge/bezier_forms.h"
+#include "grader/judge/findings.h"
+#include "grader/judge/judge.h"
+#include "grader/judge/options.h"
+#include "grader/judge/point_compare.h"
+
+namespace meshgrade {
+namespace {
+
+class StepsJudge {
+ public:
+  StepsJudge(const JudgeTask& task, CurveInput input, CaseJudgement& judgement)
+      : task_(task), input_(std::move(input)), judgement_(judgement) {}
+
+  /// @return false at the first step that is wrong
+  bool judge_step(std::size_t index, const std::vector<Point2>& given, const CurveStep& step) {
+    where_ = input_.steps == 1 ? "" : "in step " + std::to_string(index + 1) + " of " +
+                                          std::to_string(input_.steps);
+    return leaves_input(given, step) && has_count(given, step) && has_values(given, step);
+  }
+
+  /// The last point against the closed form of the whole curve.
+  void judge_curve_point(const CurveStep& last) {
+    const Point2 expected = bernstein(input_.points, input_.t);
+    const double size = extent(input_.points);
+    const double error = distance(expected, last.result[0]);
+    if (error <= task_.tolerance * size) return;
+    report("curve-point", "repeated steps end at the point of the curve (its Bernstein form)",
+           "the last point", point_text(expected),
+           point_text(last.result[0]) + ", off by " + error_text(error, size, task_.tolerance),
+           "evaluateStep");
+  }
+
+ private:
+  void report(std::string rule, std::string meaning, std::string element, std::string expected,
+              std::string actual, std::string look_at) {
+    judgement_.verdict = Verdict::kFailed;
+    judgement_.findings.push_back(make_finding(std::move(rule), std::move(meaning), where_,
+                                               std::move(element), std::move(expected),
+                                               std::move(actual), std::move(look_at)));
+  }
+
+  bool leaves_input(const std::vector<Point2>& given, const CurveStep& step) {
+    if (step.input_after == given) return true;
+    report("input", "evaluateStep leaves the points that it is given as they are",
+           "the points that were passed in", "unchanged", "changed", "writes to `points`");
+    return false;
+  }
+
+  bool has_count(const std::vector<Point2>& given, const CurveStep& step) {
+    const std::size_t expected = given.size() - 1;
+    if (step.result.size() == expected) return true;
+    const bool whole = step.result.size() == 1 && given.size() > 2;
+    report("count", "one step makes n - 1 points out of n", "the result",
+           plural(expected, "point") + " from " + plural(given.size(), "point"),
+           plural(step.result.size(), "point"),
+           whole ? "evaluateStep makes one level only; whoever calls it repeats it"
+                 : "the bounds of the loop and the list that is returned");
+    return false;
+  }
+
+  bool has_values(const std::vector<Point2>& given, const CurveStep& step) {
+    const std::vector<Point2> expected = de_casteljau_step(given, input_.t);
+    const double size = extent(input_.points);
+    const WorstPoint worst = worst_point(expected, step.result);
+    if (worst.error <= task_.tolerance * size) return true;
+    const std::string i = std::to_string(worst.index);
+    report("value", "point i of the result is (1 - t) points[i] + t points[i + 1]",
+           "point " + i,
+           point_text(expected[worst.index]) + " = (1 - t) " + point_text(given[worst.index]) +
+               " + t " + point_text(given[worst.index + 1]) + " with t = " +
+               number_text(input_.t),
+           point_text(step.result[worst.index]) + ", off by " +
+               error_text(worst.error, size, task_.tolerance),
+           "the formula for point " + i);
+    return false;
+  }
+
+  const JudgeTask& task_;
+  CurveInput input_;
+  CaseJudgement& judgement_;
+  std::string where_;
+};
+
+void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
+                 CaseJudgement& judgement) {
+  const auto input = from_wire<CurveInput>(task.asked.input);
+  if (task.outcome.steps.size() > input.steps) throw WireError("too many steps");
+  StepsJudge judge(task, input, judgement);
+  std::vector<Point2> given = input.points;
+  CurveStep step;
+  for (std::size_t i = 0; i < task.outcome.steps.size(); ++i) {
+    step = from_wire<CurveStep>(task.outcome.steps[i]);
+    if (!judge.judge_step(i, given, step)) return;
+    given = step.result;
+  }
+  if (given.size() == 1 && input.points.size() > 1) judge.judge_curve_point(step);
+}
+
+}  // namespace
+
+ExerciseJudge bezier_curve_judge(const ExerciseRubric& rubric) {
+  refuse_unknown_options(rubric, {});
+  return {{"BezierCurve::evaluateStep"}, {}, judge_steps};
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,116 @@
+#include "grader/base/text.h"
+#include "grader/cases/bezier_input.h"
+#include "grader/judge/bezier_forms.h"
+#include "grader/judge/findings.h"
+#include "grader/judge/judge.h"
+#include "grader/judge/options.h"
+#include "grader/judge/point_compare.h"
+
+namespace meshgrade {
+namespace {
+
+const char* function_name(PatchFunction function) {
+  switch (function) {
+    case PatchFunction::kStep:
+      return "evaluateStep";
+    case PatchFunction::kLine:
+      return "evaluate1D";
+    case PatchFunction::kSurface:
+      return "evaluate";
+  }
+  return "";
+}
+
+const char* formula(PatchFunction function) {
+  switch (function) {
+    case PatchFunction::kStep:
+      return "point i of the result is (1 - t) points[i] + t points[i + 1]";
+    case PatchFunction::kLine:
+      return "the result is the point at t of the curve with these control points";
+    case PatchFunction::kSurface:
+      return "each row at u, then the curve of the results at v";
+  }
+  return "";
+}
+
+/// The surface point as a sum of products of Bernstein polynomials.
+Point3 tensor_bernstein(const std::vector<std::vector<Point3>>& net, double u, double v) {
+  std::vector<Point3> column;
+  for (const auto& row : net) column.push_back(bernstein(row, u));
+  return bernstein(column, v);
+}
+
+std::vector<Point3> expected_result(const PatchInput& input, double u, double v) {
+  switch (input.function) {
+    case PatchFunction::kStep:
+      return de_casteljau_step(input.net[0], u);
+    case PatchFunction::kLine:
+      return {bernstein(input.net[0], u)};
+    case PatchFunction::kSurface:
+      return {tensor_bernstein(input.net, u, v)};
+  }
+  return {};
+}
+
+std::string place_text(const PatchInput& input, std::array<double, 2> place) {
+  if (input.function != PatchFunction::kSurface) return "t = " + number_text(place[0]);
+  return "u = " + number_text(place[0]) + ", v = " + number_text(place[1]);
+}
+
+double size_of(const PatchInput& input) {
+  std::vector<Point3> all;
+  for (const auto& row : input.net) all.insert(all.end(), row.begin(), row.end());
+  return extent(all);
+}
+
+void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t index,
+                  CaseJudgement& judgement) {
+  const auto place = input.parameters[index];
+  const auto actual = from_wire<std::vector<Point3>>(task.outcome.steps[index]);
+  const std::vector<Point3> expected = expected_result(input, place[0], place[1]);
+  const std::string where = "at " + place_text(input, place);
+  const std::string name = function_name(input.function);
+  judgement.verdict = Verdict::kFailed;
+  if (actual.size() != expected.size()) {
+    judgement.findings.push_back(make_finding(
+        "count", "one step makes n - 1 points out of n", where, "the result",
+        plural(expected.size(), "point"), plural(actual.size(), "point"),
+        "the bounds of the loop and the list that is returned, in " + name));
+    return;
+  }
+  const double size = size_of(input);
+  const WorstPoint worst = worst_point(expected, actual);
+  if (worst.error <= task.tolerance * size) {
+    judgement.verdict = Verdict::kPassed;
+    return;
+  }
+  judgement.findings.push_back(make_finding(
+      "value", formula(input.function), where,
+      input.function == PatchFunction::kStep ? "point " + std::to_string(worst.index)
+                                             : "the result",
+      point_text(expected[worst.index]),
+      point_text(actual[worst.index]) + ", off by " +
+          error_text(worst.error, size, task.tolerance),
+      "BezierPatch::" + name));
+}
+
+void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
+                 CaseJudgement& judgement) {
+  const auto input = from_wire<PatchInput>(task.asked.input);
+  if (task.outcome.steps.size() > input.parameters.size()) throw WireError("too many steps");
+  for (std::size_t i = 0; i < task.outcome.steps.size(); ++i) {
+    judge_result(task, input, i, judgement);
+    if (!judgement.findings.empty()) return;
+  }
+}
+
+}  // namespace
+
+ExerciseJudge bezier_patch_judge(const ExerciseRubric& rubric) {
+  refuse_unknown_options(rubric, {});
+  return {{"BezierPatch::evaluateStep", "BezierPatch::evaluate1D", "BezierPatch::evaluate"},
+          {},
+          judge_steps};
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,316 @@
+#include <algorithm>
+#include <map>
+
+#include "grader/base/text.h"
+#include "grader/cases/mesh_input.h"
+#include "grader/judge/findings.h"
+#include "grader/judge/judge.h"
+#include "grader/judge/options.h"
+#include "grader/judge/point_compare.h"
+#include "grader/judge/surface_match.h"
+#include "grader/mesh/build_mesh.h"
+#include "grader/mesh/dump_mesh.h"
+#include "grader/mesh/mesh_rules.h"
+#include "grader/subdivide/opensubdiv_loop.h"
+
+namespace meshgrade {
+namespace {
+
+/// One of the published choices of weights.
+struct Variant {
+  const char* name;
+  VertexRule vertex_rule;
+  CornerRule corner_rule;
+};
+
+constexpr Variant kVariants[] = {
+    {"Warren's weights", VertexRule::kWarren, CornerRule::kSmooth},
+    {"Loop's weights", VertexRule::kLoop, CornerRule::kSmooth},
+    {"Warren's weights, fixed corners", VertexRule::kWarren, CornerRule::kCorner},
+    {"Loop's weights, fixed corners", VertexRule::kLoop, CornerRule::kCorner},
+};
+
+/// Where a vertex of a refined mesh comes from.
+struct Origin {
+  std::uint32_t a = 0;  ///< the old vertex, or one end of the old edge
+  std::uint32_t b = 0;  ///< the other end; the same as `a` for an old vertex
+};
+
+/// A right answer for one level: the same surface for all variants, with other positions.
+struct Level {
+  MeshDump surface;
+  std::vector<Origin> origins;
+  std::map<std::string, PolygonMesh> by_variant;
+};
+
+Level refine(const std::map<std::string, PolygonMesh>& meshes) {
+  Level level;
+  for (const Variant& variant : kVariants) {
+    const auto mesh = meshes.find(variant.name);
+    if (mesh == meshes.end()) continue;
+    LoopLevel refined =
+        opensubdiv_loop(mesh->second, variant.vertex_rule, variant.corner_rule);
+    if (level.origins.empty()) {
+      level.origins.resize(refined.mesh.positions.size());
+      for (std::uint32_t v = 0; v < refined.child_of_vertex.size(); ++v) {
+        level.origins[refined.child_of_vertex[v]] = {v, v};
+      }
+      for (std::size_t e = 0; e < refined.edges.size(); ++e) {
+        level.origins[refined.child_of_edge[e]] = {refined.edges[e][0], refined.edges[e][1]};
+      }
+    }
+    level.by_variant[variant.name] = std::move(refined.mesh);
+  }
+  return level;
+}
+
+/// The half-edges of a surface, with vertex i of the dump being vertex i of the polygons.
+MeshDump to_surface(const PolygonMesh& polygons) {
+  meshedit::HalfedgeMesh mesh;
+  build_mesh(polygons, mesh);
+  MeshDump dump = dump_mesh(mesh);
+  // The built mesh numbers vertices in the order of the polygons: give them back their own.
+  std::vector<Ref> own;
+  std::vector<bool> seen(polygons.positions.size(), false);
+  for (const auto& polygon : polygons.polygons) {
+    for (std::uint32_t corner : polygon) {
+      if (!seen[corner]) own.push_back(corner);
+      seen[corner] = true;
+    }
+  }
+  std::vector<VertexRecord> vertices(dump.vertices.size());
+  for (std::size_t v = 0; v < own.size(); ++v) vertices[own[v]] = dump.vertices[v];
+  dump.vertices = std::move(vertices);
+  for (HalfedgeRecord& h : dump.halfedges) h.vertex = own[h.vertex];
+  return dump;
+}
+
+class LevelsJudge {
+ public:
+  LevelsJudge(const JudgeTask& task, Conventions& conventions, CaseJudgement& judgement)
+      : task_(task), conventions_(conventions), judgement_(judgement) {}
+
+  void judge() {
+    const auto input = from_wire<SubdivisionInput>(task_.asked.input);
+    const auto& steps = task_.outcome.steps;
+    if (steps.size() > input.levels) throw WireError("too many steps");
+    std::map<std::string, PolygonMesh> meshes;
+    for (const std::string& name : conventions_) meshes[name] = input.mesh;
+    std::vector<Ref> old_to_mine(input.mesh.positions.size());
+    for (Ref v = 0; v < old_to_mine.size(); ++v) old_to_mine[v] = v;
+    MeshDump before;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (input.levels > 1) {
+        where_ = "after level " + std::to_string(i + 1) + " of " + std::to_string(input.levels);
+      }
+      const auto mesh = from_wire<MeshDump>(steps[i]);
+      Level level = refine(meshes);
+      level.surface = to_surface(level.by_variant.begin()->second);
+      if (!keeps_rules(mesh) || !has_counts(level, mesh) ||
+          !has_surface(level, old_to_mine, mesh) || !has_positions(level, mesh)) {
+        return;
+      }
+      meshes = std::move(level.by_variant);
+      old_to_mine = match_;
+    }
+  }
+
+ private:
+  void report(std::string rule, std::string meaning, std::string element, std::string expected,
+              std::string actual, std::string look_at) {
+    judgement_.verdict = Verdict::kFailed;
+    judgement_.findings.push_back(make_finding(std::move(rule), std::move(meaning), where_,
+                                               std::move(element), std::move(expected),
+                                               std::move(actual), std::move(look_at)));
+  }
+
+  bool keeps_rules(const MeshDump& mesh) {
+    for (const RuleBreak& rule_break : find_broken_rules(mesh)) {
+      judgement_.findings.push_back(to_finding(rule_break, where_));
+      judgement_.verdict = Verdict::kFailed;
+    }
+    return judgement_.findings.empty();
+  }
+
+  bool has_counts(const Level& level, const MeshDump& mesh) {
+    const Counts want = count(level.surface);
+    const Counts have = count(mesh);
+    if (want == have) return true;
+    const auto text = [](const Counts& c) {
+      return std::to_string(c.vertices) + " vertices, " + plural(c.edges, "edge") + ", " +
+             plural(c.faces, "face") + ", " + plural(c.boundaries, "boundary loop");
+    };
+    std::string advice = "how often each edge of the old mesh is split";
+    if (have.faces < want.faces) advice += ": some edges are not split at all";
+    if (have.faces > want.faces) advice += ": some edges that are new are split again";
+    report("counts", "every triangle becomes four: each old edge gets one new vertex",
+           "the mesh", text(want), text(have), advice);
+    return false;
+  }
+
+  /// Half-edges of `mesh` that may be the one of the expected surface: first those that leave
+  /// the vertex with the number that the old vertex had, then all, the nearest first.
+  std::vector<Ref> candidates(const Level& level, const std::vector<Ref>& old_to_mine,
+                              const MeshDump& mesh, Ref from) const {
+    const HalfedgeRecord& h = level.surface.halfedges[from];
+    const Ref end = level.surface.halfedges[h.twin].vertex;
+    const std::vector<Point3>& points = level.by_variant.begin()->second.positions;
+    const Origin& origin = level.origins[h.vertex];
+    const Ref known = origin.a == origin.b ? old_to_mine[origin.a] : kUnsetRef;
+    std::vector<std::pair<double, Ref>> ranked;
+    for (Ref g = 0; g < mesh.halfedges.size(); ++g) {
+      const HalfedgeRecord& other = mesh.halfedges[g];
+      if (other.live == 0) continue;
+      const double off =
+          distance(points[h.vertex], mesh.vertices[other.vertex].position) +
+          distance(points[end], mesh.vertices[mesh.halfedges[other.twin].vertex].position);
+      ranked.emplace_back(other.vertex == known ? off - 1e9 : off, g);
+    }
+    constexpr std::size_t kMost = 64;
+    const std::size_t kept = std::min(kMost, ranked.size());
+    std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(kept),
+                      ranked.end());
+    std::vector<Ref> list;
+    for (std::size_t i = 0; i < kept; ++i) list.push_back(ranked[i].second);
+    return list;
+  }
+
+  bool has_surface(const Level& level, const std::vector<Ref>& old_to_mine,
+                   const MeshDump& mesh) {
+    // Start at old vertices: their numbers are known unless the solution builds a new mesh.
+    std::vector<Ref> starts;
+    for (bool old : {true, false}) {
+      for (Ref h = 0; h < level.surface.halfedges.size(); ++h) {
+        const Origin& origin = level.origins[level.surface.halfedges[h].vertex];
+        if ((origin.a == origin.b) == old) starts.push_back(h);
+      }
+    }
+    SurfaceMatch match(level.surface);
+    const auto list = [&](Ref h) { return candidates(level, old_to_mine, mesh, h); };
+    if (match_surfaces(level.surface, mesh, starts, list, match)) {
+      match_ = match.vertex;
+      return true;
+    }
+    report_other_surface(level, old_to_mine, mesh);
+    return false;
+  }
+
+  static std::vector<std::size_t> valences(const MeshDump& mesh) {
+    std::vector<std::size_t> valence(mesh.vertices.size(), 0);
+    for (const HalfedgeRecord& h : mesh.halfedges) {
+      if (h.live != 0) ++valence[h.vertex];
+    }
+    return valence;
+  }
+
+  /// The first vertex with another number of edges than it should have.
+  void report_other_surface(const Level& level, const std::vector<Ref>& old_to_mine,
+                            const MeshDump& mesh) {
+    const std::vector<std::size_t> want = valences(level.surface);
+    const std::vector<std::size_t> have = valences(mesh);
+    const char* meaning =
+        "old vertices keep their number of edges; new ones have 6 inside and 4 on a boundary";
+    for (std::size_t v = 0; v < level.origins.size(); ++v) {
+      const Origin& origin = level.origins[v];
+      if (origin.a != origin.b) continue;
+      const Ref mine = old_to_mine[origin.a];
+      if (mine >= have.size() || have[mine] == want[v]) continue;
+      report("connectivity", meaning, vertex_name(mine),
+             "the old vertex " + vertex_name(mine) + " has " + plural(want[v], "edge"),
+             plural(have[mine], "edge"),
+             "which new edges are flipped: those, and only those, that join an old vertex "
+             "and a new one and do not lie along an old edge");
+      return;
+    }
+    report("connectivity", meaning, "the mesh", "every old triangle is cut into four",
+           "the triangles are joined in another way",
+           "which new edges are flipped, and whether they are marked with isNew");
+  }
+
+  std::string origin_text(const Level& level, std::size_t v) const {
+    const Origin& origin = level.origins[v];
+    if (origin.a == origin.b) return "an old vertex";
+    return "the new vertex of an old edge";
+  }
+
+  bool has_positions(const Level& level, const MeshDump& mesh) {
+    std::vector<Point3> actual(match_.size());
+    for (std::size_t v = 0; v < match_.size(); ++v) {
+      actual[v] = mesh.vertices[match_[v]].position;
+    }
+    const double size = extent(level.by_variant.begin()->second.positions);
+    WorstPoint best{0, INFINITY};
+    std::string best_name;
+    Conventions agreeing;
+    for (const auto& [name, polygons] : level.by_variant) {
+      const WorstPoint worst = worst_point(polygons.positions, actual);
+      if (worst.error <= task_.tolerance * size) agreeing.insert(name);
+      if (best_name.empty() || worst.error < best.error) {
+        best = worst;
+        best_name = name;
+      }
+    }
+    if (!agreeing.empty()) {
+      conventions_ = keep_agreeing(agreeing);
+      return true;
+    }
+    report_position(level, actual, size, best, best_name);
+    return false;
+  }
+
+  Conventions keep_agreeing(const Conventions& agreeing) const {
+    Conventions kept;
+    std::set_intersection(conventions_.begin(), conventions_.end(), agreeing.begin(),
+                          agreeing.end(), std::inserter(kept, kept.end()));
+    return kept;
+  }
+
+  void report_position(const Level& level, const std::vector<Point3>& actual, double size,
+                       WorstPoint worst, const std::string& variant) {
+    const std::size_t valence = valences(level.surface)[worst.index];
+    const bool old = level.origins[worst.index].a == level.origins[worst.index].b;
+    const std::string mine = vertex_name(match_[worst.index]);
+    report("position", "the positions are those of Loop subdivision (compared with OpenSubdiv)",
+           mine + ", " + origin_text(level, worst.index) +
+               (old ? " with " + plural(valence, "edge") : ""),
+           point_text(level.by_variant.at(variant).positions[worst.index]) + " by " + variant,
+           point_text(actual[worst.index]) + ", off by " +
+               error_text(worst.error, size, task_.tolerance),
+           old ? "the weights of old vertices, and from which positions they are computed"
+               : "the weights of edge points, and from which positions they are computed");
+  }
+
+  const JudgeTask& task_;
+  Conventions& conventions_;
+  CaseJudgement& judgement_;
+  std::string where_;
+  std::vector<Ref> match_;  ///< expected vertex -> the student's
+};
+
+Conventions allowed_variants(const ExerciseRubric& rubric) {
+  const std::string vertex = choose_option(rubric, "vertex_rule", {"either", "loop", "warren"});
+  const std::string corner =
+      choose_option(rubric, "corner_rule", {"either", "smooth", "corner"});
+  Conventions allowed;
+  for (const Variant& variant : kVariants) {
+    const bool is_loop = variant.vertex_rule == VertexRule::kLoop;
+    const bool is_smooth = variant.corner_rule == CornerRule::kSmooth;
+    if (vertex != "either" && (vertex == "loop") != is_loop) continue;
+    if (corner != "either" && (corner == "smooth") != is_smooth) continue;
+    allowed.insert(variant.name);
+  }
+  return allowed;
+}
+
+}  // namespace
+
+ExerciseJudge loop_subdivision_judge(const ExerciseRubric& rubric) {
+  refuse_unknown_options(rubric, {"vertex_rule", "corner_rule"});
+  return {{"MeshResampler::upsample"},
+          allowed_variants(rubric),
+          [](const JudgeTask& task, Conventions& conventions, CaseJudgement& judgement) {
+            LevelsJudge(task, conventions, judgement).judge();
+          }};
+}
+
+}  // namespace meshgrade

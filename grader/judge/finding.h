@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/run/outcome.h"
+
+namespace meshgrade {
+
+enum class Verdict {
+  kPassed,
+  kFailed,
+  kNotImplemented,
+  kNotCompiled,
+  kCrashed,
+  kOutOfTime,
+  kOutOfSteps,
+  kOutOfMemory,
+  kNotJudged,    ///< something that this depends on failed: no statement is made
+  kGraderError,  ///< a fault of the grader, never of the student
+};
+
+/// "passed", "failed", "not implemented", ...
+const char* verdict_name(Verdict verdict);
+
+/// One thing that is wrong, with all that a student needs to see it.
+struct Finding {
+  std::string rule;      ///< short name: "twin-opposite", "value", "unset-handle"
+  std::string meaning;   ///< what the rule asks, as a sentence
+  std::string where;     ///< "after operation 2 of 6 (flip v0-v3)"; empty if it is plain
+  std::string element;   ///< "h12", "v3", "point 2"
+  std::string expected;
+  std::string actual;
+  std::string look_at;   ///< pointer, function or idea to look at first
+  std::vector<StackFrame> stack;  ///< the student's frames, innermost first
+};
+
+/// What the judge says about a case.
+struct CaseJudgement {
+  Verdict verdict = Verdict::kPassed;
+  std::vector<Finding> findings;  ///< the most telling first; empty if passed
+  std::string note;               ///< for example why the case is not judged
+};
+
+}  // namespace meshgrade

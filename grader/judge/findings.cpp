@@ -1,0 +1,18 @@
+#include "grader/judge/findings.h"
+
+#include "grader/base/text.h"
+
+namespace meshgrade {
+
+Finding to_finding(const RuleBreak& rule_break, const std::string& where) {
+  return make_finding(rule_break.rule, std::string(rule_meaning(rule_break.rule)), where,
+                      rule_break.element, rule_break.expected, rule_break.actual,
+                      rule_break.look_at);
+}
+
+std::string error_text(double error, double size, double tolerance) {
+  return number_text(error / size, 2) + " of the size (allowed: " + number_text(tolerance, 2) +
+         ")";
+}
+
+}  // namespace meshgrade

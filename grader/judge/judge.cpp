@@ -1,0 +1,217 @@
+#include "grader/judge/judge.h"
+
+#include <algorithm>
+#include <csignal>
+#include <map>
+
+#include "grader/base/errors.h"
+#include "grader/base/text.h"
+#include "grader/base/wire.h"
+#include "meshedit/fault.h"
+
+namespace meshgrade {
+
+#define MESHGRADE_EXERCISE(name) ExerciseJudge name##_judge(const ExerciseRubric& rubric);
+#include "exercise_list.inc"
+#undef MESHGRADE_EXERCISE
+
+namespace {
+
+using meshedit::FaultKind;
+
+const char* signal_text(int signal) {
+  switch (signal) {
+    case SIGSEGV:
+    case SIGBUS:
+      return "it used memory that is not its own (segmentation fault)";
+    case SIGFPE:
+      return "it divided a whole number by zero (floating point exception)";
+    case SIGABRT:
+      return "it was aborted";
+    case SIGILL:
+      return "it ran into a place that is no code: does a function end without a return?";
+    case SIGKILL:
+      return "it was killed";
+    default:
+      return "a signal ended it";
+  }
+}
+
+struct FaultWords {
+  const char* rule;
+  const char* meaning;
+  const char* advice;
+};
+
+FaultWords fault_words(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::kUnsetHandle:
+      return {"unset-handle", "a handle is given an element before it is used",
+              "which handle on this line was never set? New elements begin with all pointers "
+              "unset"};
+    case FaultKind::kDeletedHandle:
+      return {"deleted-handle", "no handle to a deleted element is used",
+              "what was deleted, and who still points to it"};
+    case FaultKind::kPastEndHandle:
+      return {"past-end-handle", "the end of a list is compared with, never used",
+              "the condition of the loop around this line"};
+    case FaultKind::kForeignHandle:
+      return {"foreign-handle", "handles of one mesh are not put into another",
+              "is there a copy of the mesh? Use handles of the mesh that was passed in"};
+    case FaultKind::kOutOfSteps:
+      return {"out-of-steps",
+              "the number of handle uses stays in proportion to the size of the mesh",
+              "a loop that never comes back to where it began, or one that searches the whole "
+              "mesh again and again"};
+    case FaultKind::kNotImplemented:
+      break;
+  }
+  return {"not-implemented", "the function is written", ""};
+}
+
+bool is_known(std::uint32_t kind) {
+  return kind >= static_cast<std::uint32_t>(FaultKind::kUnsetHandle) &&
+         kind <= static_cast<std::uint32_t>(FaultKind::kNotImplemented);
+}
+
+void judge_stub(const ExerciseJudge& judge, const std::string& function,
+                CaseJudgement& judgement) {
+  const auto& own = judge.functions;
+  if (std::find(own.begin(), own.end(), function) == own.end()) {
+    judgement.verdict = Verdict::kNotJudged;
+    judgement.note = "it calls " + function + ", which is not implemented";
+    return;
+  }
+  judgement.verdict = Verdict::kNotImplemented;
+  judgement.note = function + " is not implemented";
+}
+
+void judge_fault(const ExerciseJudge& judge, const Outcome& outcome, CaseJudgement& judgement) {
+  const auto kind =
+      is_known(outcome.fault_kind) ? FaultKind{outcome.fault_kind} : FaultKind::kUnsetHandle;
+  if (kind == FaultKind::kNotImplemented) return judge_stub(judge, outcome.subject, judgement);
+  const bool endless = kind == FaultKind::kOutOfSteps;
+  judgement.verdict = endless ? Verdict::kOutOfSteps : Verdict::kCrashed;
+  const FaultWords words = fault_words(kind);
+  const std::string what = endless ? "the code used handles more often than any good solution: "
+                                     "it was stopped"
+                                   : "a " + outcome.subject + " " + meshedit::describe(kind);
+  judgement.findings.push_back({words.rule, words.meaning, "", outcome.subject, words.meaning,
+                                what, words.advice, outcome.stack});
+}
+
+/// All endings but kDone and kFault.
+void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
+  Finding finding;
+  finding.stack = outcome.stack;
+  finding.expected = "the function returns";
+  judgement.verdict = Verdict::kCrashed;
+  switch (outcome.ending) {
+    case Ending::kSignal:
+      finding.rule = "crash";
+      finding.actual = std::string("the program crashed: ") + signal_text(outcome.code);
+      break;
+    case Ending::kExit:
+      finding.rule = "exit";
+      finding.actual = "the code ended the whole program (exit status " +
+                       std::to_string(outcome.code) + ")";
+      break;
+    case Ending::kException:
+      finding.rule = "exception";
+      finding.actual = "an exception left the function: " + outcome.subject;
+      break;
+    case Ending::kOutOfTime:
+      judgement.verdict = Verdict::kOutOfTime;
+      finding.rule = "out-of-time";
+      finding.actual = "the time limit was reached: a loop that does not end?";
+      break;
+    case Ending::kOutOfMemory:
+      judgement.verdict = Verdict::kOutOfMemory;
+      finding.rule = "out-of-memory";
+      finding.actual = "the memory limit was reached: a loop that adds elements without end?";
+      break;
+    default:
+      finding.rule = "output-limit";
+      finding.actual = "the code printed or left behind more than is allowed";
+      break;
+  }
+  finding.meaning = "the function does its work and returns";
+  judgement.findings.push_back(std::move(finding));
+}
+
+void judge_steps(const ExerciseJudge& judge, const JudgeTask& task, Conventions& conventions,
+                 CaseJudgement& judgement) {
+  try {
+    judge.judge_steps(task, conventions, judgement);
+  } catch (const WireError& error) {
+    judgement.findings.push_back(
+        {"malformed", "the worker writes down what the code left behind", "", "",
+         "a well-formed result", std::string("a result that cannot be read: ") + error.what(),
+         "does the code write over memory that is not its own?", {}});
+  }
+}
+
+}  // namespace
+
+const char* verdict_name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kPassed:
+      return "passed";
+    case Verdict::kFailed:
+      return "failed";
+    case Verdict::kNotImplemented:
+      return "not implemented";
+    case Verdict::kNotCompiled:
+      return "not compiled";
+    case Verdict::kCrashed:
+      return "crashed";
+    case Verdict::kOutOfTime:
+      return "out of time";
+    case Verdict::kOutOfSteps:
+      return "out of steps";
+    case Verdict::kOutOfMemory:
+      return "out of memory";
+    case Verdict::kNotJudged:
+      return "not judged";
+    case Verdict::kGraderError:
+      return "grader error";
+  }
+  return "grader error";
+}
+
+ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric) {
+  using MakeJudge = ExerciseJudge (*)(const ExerciseRubric&);
+  static const std::map<std::string, MakeJudge> judges{
+#define MESHGRADE_EXERCISE(name) {#name, name##_judge},
+#include "exercise_list.inc"
+#undef MESHGRADE_EXERCISE
+  };
+  const auto found = judges.find(rubric.name);
+  if (found == judges.end()) {
+    throw UserError("the assignment names the exercise \"" + rubric.name +
+                    "\", which does not exist");
+  }
+  return found->second(rubric);
+}
+
+CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
+                         Conventions& conventions) {
+  CaseJudgement judgement;
+  const Outcome& outcome = task.outcome;
+  if (outcome.ending == Ending::kWorkerFailed) {
+    judgement.verdict = Verdict::kGraderError;
+    judgement.note = "the worker failed: " + outcome.subject;
+    return judgement;
+  }
+  judge_steps(judge, task, conventions, judgement);
+  const bool wrong_before = !judgement.findings.empty();
+  if (outcome.ending == Ending::kFault) {
+    judge_fault(judge, outcome, judgement);
+  } else if (outcome.ending != Ending::kDone) {
+    judge_ending(outcome, judgement);
+  }
+  if (wrong_before) judgement.verdict = Verdict::kFailed;
+  return judgement;
+}
+
+}  // namespace meshgrade

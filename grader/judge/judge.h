@@ -1,0 +1,46 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grader/assignment/assignment.h"
+#include "grader/cases/case.h"
+#include "grader/judge/finding.h"
+#include "grader/run/outcome.h"
+
+namespace meshgrade {
+
+/// One case with what came of it.
+struct JudgeTask {
+  const Case& asked;
+  const Outcome& outcome;
+  const ExerciseRubric& rubric;
+  double tolerance;  ///< of positions, relative to the size of the mesh
+};
+
+/// Choices that a solution may make but must make in the same way everywhere, for example the
+/// weights of Loop subdivision. Holds those that agree with all cases judged so far; a judge
+/// takes out what a case rules out.
+using Conventions = std::set<std::string>;
+
+/// What the judge knows of an exercise.
+struct ExerciseJudge {
+  std::vector<std::string> functions;  ///< that the student writes: "HalfedgeMesh::flipEdge"
+  Conventions conventions;             ///< all that are allowed, before the first case
+
+  /// Compares the completed steps of an outcome with what is right and adds findings. The
+  /// ending of the outcome is judged elsewhere. @throws WireError if a step is malformed
+  void (*judge_steps)(const JudgeTask& task, Conventions& conventions,
+                      CaseJudgement& judgement);
+};
+
+/// The judge of an exercise, set up for the options of its rubric.
+/// @throws UserError if an option is unknown or has a value that does not exist
+ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric);
+
+/// Judges one case: its steps, then how it ended.
+CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
+                         Conventions& conventions);
+
+}  // namespace meshgrade

@@ -1,0 +1,29 @@
+#pragma once
+
+// Flip and split on a mesh of plain numbers: one right answer, to compare others with. The mesh
+// must keep all mesh rules.
+
+#include "grader/mesh/mesh_dump.h"
+
+namespace meshgrade {
+
+bool is_boundary_edge(const MeshDump& mesh, Ref edge);
+
+/// The corners around an edge, named as in the textbook: b and c are its ends, a lies opposite
+/// on the left of its half-edge b -> c, d on the right. On a boundary edge the half-edge inside
+/// is taken, and d is unset.
+struct Diamond {
+  Ref a = kUnsetRef;
+  Ref b = kUnsetRef;
+  Ref c = kUnsetRef;
+  Ref d = kUnsetRef;
+};
+Diamond diamond_of(const MeshDump& mesh, Ref edge);
+
+/// Turns an inner edge between two triangles.
+void model_flip(MeshDump& mesh, Ref edge);
+
+/// Splits an edge, inner or boundary, between triangles. @return the new vertex
+Ref model_split(MeshDump& mesh, Ref edge);
+
+}  // namespace meshgrade

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "grader/judge/judge.h"
+
+namespace meshgrade {
+
+/// Judges the steps of an OperationsInput: after each flip or split all mesh rules, the numbers
+/// of elements, and the surface that it should give, whatever the numbering. Stops at the first
+/// step that is wrong, since what follows starts from a wrong mesh.
+void judge_operations(const JudgeTask& task, CaseJudgement& judgement);
+
+}  // namespace meshgrade

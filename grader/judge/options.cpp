@@ -1,0 +1,35 @@
+#include "grader/judge/options.h"
+
+#include <algorithm>
+
+#include "grader/base/errors.h"
+#include "grader/base/text.h"
+
+namespace meshgrade {
+namespace {
+
+bool contains(const std::vector<std::string>& list, const std::string& value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+}  // namespace
+
+void refuse_unknown_options(const ExerciseRubric& rubric,
+                            const std::vector<std::string>& known) {
+  for (const auto& [option, value] : rubric.options) {
+    if (contains(known, option)) continue;
+    throw UserError("assignment: " + rubric.name + " has no option \"" + option + "\"" +
+                    (known.empty() ? "" : "; it knows " + join(known, ", ")));
+  }
+}
+
+std::string choose_option(const ExerciseRubric& rubric, const std::string& option,
+                          const std::vector<std::string>& choices) {
+  const auto found = rubric.options.find(option);
+  if (found == rubric.options.end()) return choices.at(0);
+  if (contains(choices, found->second)) return found->second;
+  throw UserError("assignment: the option " + option + " of " + rubric.name + " must be one of " +
+                  join(choices, ", ") + ", not \"" + found->second + "\"");
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,128 @@
+#include "grader/run/run.h"
+
+#include <unistd.h>
+
+#include <set>
+
+#include "grader/base/errors.h"
+#include "grader/base/text.h"
+#include "grader/run/result_reader.h"
+#include "grader/run/symbolizer.h"
+
+namespace meshgrade {
+namespace {
+
+constexpr std::uint64_t kMegabyte = 1U << 20U;
+
+void write_all(int file, const std::string& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t size = ::write(file, bytes.data() + done, bytes.size() - done);
+    if (size <= 0) throw GraderError("cannot write a temporary file: is the disk full?");
+    done += static_cast<std::size_t>(size);
+  }
+  ::lseek(file, 0, SEEK_SET);
+}
+
+std::string read_all(int file, std::uint64_t most) {
+  std::string bytes;
+  const off_t size = ::lseek(file, 0, SEEK_END);
+  if (size <= 0) return bytes;
+  bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(static_cast<std::uint64_t>(size), most)));
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t part = ::pread(file, bytes.data() + done, bytes.size() - done,
+                                 static_cast<off_t>(done));
+    if (part <= 0) break;
+    done += static_cast<std::size_t>(part);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits) {
+  TaskList list;
+  list.memory_bytes = limits.memory_mb * kMegabyte;
+  list.result_bytes = limits.result_mb * kMegabyte;
+  for (const Case* c : cases) {
+    list.tasks.push_back(
+        {c->exercise, c->input, c->step_budget, limits.case_cpu_ms, limits.case_wall_ms});
+  }
+  return list;
+}
+
+Outcome to_outcome(TaskResult task) {
+  Outcome outcome;
+  outcome.ending = task.end.ending;
+  outcome.fault_kind = task.end.fault_kind;
+  outcome.code = task.end.code;
+  outcome.subject = printable(task.end.subject.substr(0, 400));
+  outcome.steps = std::move(task.steps);
+  outcome.interrupted = std::move(task.end.interrupted);
+  outcome.output = printable(task.end.output);
+  outcome.output_bytes = task.end.output_bytes;
+  return outcome;
+}
+
+/// For the tasks that the result file says nothing about.
+Outcome unfinished(const ProcessResult& worker) {
+  Outcome outcome;
+  outcome.ending = worker.timed_out ? Ending::kOutOfTime
+                   : worker.signal != 0 ? Ending::kSignal
+                                        : Ending::kExit;
+  outcome.code = worker.signal != 0 ? worker.signal : worker.status;
+  outcome.subject = "the program ended before this case";
+  return outcome;
+}
+
+/// Keeps of each stack what lies in the student's own files, which the compiler knows by names
+/// without a folder.
+void add_stacks(const Build& build, const std::vector<TaskResult>& tasks,
+                std::vector<Outcome>& outcomes) {
+  std::set<std::uint64_t> addresses;
+  for (const TaskResult& task : tasks) {
+    for (std::uint64_t address : task.end.stack) addresses.insert(address - 1);
+  }
+  const auto frames = symbolize(build.worker, addresses);
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    for (std::uint64_t address : tasks[i].end.stack) {
+      const auto found = frames.find(address - 1);
+      if (found == frames.end()) continue;
+      for (StackFrame frame : found->second) {
+        if (frame.file.rfind("./", 0) != 0) continue;
+        frame.file.erase(0, 2);
+        outcomes[i].stack.push_back(std::move(frame));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
+                               const Limits& limits) {
+  FileDescriptor tasks = make_scratch_file();
+  FileDescriptor results = make_scratch_file();
+  FileDescriptor output = make_scratch_file();
+  write_all(tasks.get(), to_wire(make_tasks(cases, limits)));
+  Command command;
+  command.arguments = {build.worker.string()};
+  command.folder = build.folder.path();
+  command.shared_files = {tasks.get(), results.get(), output.get()};
+  command.time_limit = std::chrono::seconds(limits.run_seconds);
+  command.kept_output = kKeptOutputBytes;
+  const ProcessResult worker = run_process(command);
+  std::vector<TaskResult> read;
+  try {
+    read = read_results(read_all(results.get(), (limits.result_mb + 2) * kMegabyte), cases.size());
+  } catch (const WireError&) {
+    read.assign(cases.size(), {});  // forged: nothing in it counts
+  }
+  std::vector<Outcome> outcomes;
+  for (TaskResult& task : read) {
+    outcomes.push_back(task.ended ? to_outcome(task) : unfinished(worker));
+  }
+  add_stacks(build, read, outcomes);
+  return outcomes;
+}
+
+}  // namespace meshgrade
