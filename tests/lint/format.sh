@@ -4,5 +4,10 @@
 set -euo pipefail
 cd -- "$(dirname "$0")/../.."
 
-find . \( -path ./build -o -path ./tests/submissions \) -prune -o \
-  \( -name '*.h' -o -name '*.cpp' \) -print0 | xargs -0 clang-format --dry-run -Werror
+report=$(find . \( -path ./build -o -path ./tests/submissions \) -prune -o \
+  \( -name '*.h' -o -name '*.cpp' \) -print0 |
+  xargs -0 clang-format --dry-run -Werror 2>&1) && exit
+files=$(printf '%s\n' "$report" | sed -n 's/^\(.*\):[0-9]*:[0-9]*: error: code should.*/\1/p')
+echo "clang-format -i would change these:"
+printf '%s\n' "${files:-$report}" | uniq
+exit 1
