@@ -6,8 +6,6 @@
 #include <string>
 #include <thread>
 
-#include "grader/base/errors.h"
-
 namespace meshgrade {
 namespace {
 
@@ -29,7 +27,7 @@ std::size_t previous_corner(std::size_t h) {
 }
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw UserError(what + "; Loop subdivision needs a manifold of triangles");
+  throw LoopError(what + "; Loop subdivision needs a manifold of triangles");
 }
 
 std::string edge_name(Index a, Index b) {
@@ -222,7 +220,7 @@ void DirectLoop::require_room(unsigned levels) const {
   for (unsigned level = 0; level < levels && n_corners <= kMost; ++level)
     n_corners *= 4;
   if (n_corners > kMost || n_vertices_ > kMost) {
-    throw UserError(std::to_string(levels) + " levels of " + std::to_string(n_faces_) +
+    throw LoopError(std::to_string(levels) + " levels of " + std::to_string(n_faces_) +
                     " faces are more than the " + std::to_string(kMost / 3) +
                     " faces that fit; take fewer levels");
   }

@@ -33,13 +33,13 @@ struct DirectLoopOptions {
 /// level. Neighbour sums are scattered into the new positions in one pass over the faces.
 class DirectLoop {
  public:
-  /// Takes a manifold of triangles, closed or with boundary. Throws UserError and names the
+  /// Takes a manifold of triangles, closed or with boundary. Throws LoopError and names the
   /// face, edge or vertex if there is a polygon of another size, an edge with more than two
   /// faces or run twice in one direction, a vertex whose faces do not form one fan, or a vertex
   /// without faces.
   explicit DirectLoop(const PolygonMesh& mesh);
 
-  /// Throws UserError, before anything is allocated, if the result has more than 2^32 - 1
+  /// Throws LoopError, before anything is allocated, if the result has more than 2^32 - 1
   /// corners or edges.
   void subdivide(const DirectLoopOptions& options);
 

@@ -4,7 +4,15 @@
 #include <cstddef>
 #include <numbers>
 
+#include "grader/base/errors.h"
+
 namespace meshgrade {
+
+/// A mesh that cannot be subdivided. The message names the element; the file is not known here.
+class LoopError : public UserError {
+ public:
+  using UserError::UserError;
+};
 
 /// How an old interior vertex of valence n moves: (1 - n b) v + b (sum of its neighbours).
 enum class VertexRule {

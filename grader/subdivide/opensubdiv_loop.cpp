@@ -7,8 +7,6 @@
 #include <memory>
 #include <string>
 
-#include "grader/base/errors.h"
-
 namespace meshgrade {
 namespace {
 
@@ -32,7 +30,7 @@ std::vector<Far::Index> flat_corners(const PolygonMesh& mesh) {
   for (std::size_t f = 0; f < mesh.polygons.size(); ++f) {
     const auto& polygon = mesh.polygons[f];
     if (polygon.size() != 3) {
-      throw UserError("face f" + std::to_string(f) + " has " + std::to_string(polygon.size()) +
+      throw LoopError("face f" + std::to_string(f) + " has " + std::to_string(polygon.size()) +
                       " corners: Loop subdivision needs triangles");
     }
     for (const std::uint32_t v : polygon)
@@ -58,7 +56,7 @@ std::unique_ptr<Far::TopologyRefiner> refined_topology(const PolygonMesh& mesh,
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   std::unique_ptr<Far::TopologyRefiner> refiner(
       Factory::Create(descriptor, Factory::Options(Sdc::SCHEME_LOOP, options)));
-  if (!refiner) throw UserError("OpenSubdiv refuses the topology of this mesh");
+  if (!refiner) throw LoopError("OpenSubdiv refuses the topology of this mesh");
   Far::TopologyRefiner::UniformOptions uniform(1);
   uniform.orderVerticesFromFacesFirst = false;
   uniform.fullTopologyInLastLevel = true;

@@ -25,7 +25,7 @@ struct LoopLevel {
 /// boundary edges the midpoint. Warren's vertices are derived from OpenSubdiv's own point P'
 /// as P + (b_warren / b_loop) (P' - P). Further levels: call again with the result.
 ///
-/// Takes a valid triangle mesh: a manifold without unused vertices. Throws UserError if a
+/// Takes a valid triangle mesh: a manifold without unused vertices. Throws LoopError if a
 /// polygon is not a triangle or if OpenSubdiv refuses the topology.
 LoopLevel opensubdiv_loop(const PolygonMesh& mesh, VertexRule vertex_rule,
                           CornerRule corner_rule);
