@@ -146,9 +146,9 @@ void blend(Point3& sum, const Point3& old, double keep, double weight) {
 DirectLoop::DirectLoop(const PolygonMesh& mesh)
     : n_vertices_(mesh.positions.size()), n_faces_(mesh.polygons.size()) {
   require_room(0);
-  positions_ = std::make_unique_for_overwrite<Point3[]>(n_vertices_);
+  positions_ = make_big_array<Point3>(n_vertices_);
   std::copy(mesh.positions.begin(), mesh.positions.end(), positions_.get());
-  corners_ = std::make_unique_for_overwrite<Index[]>(3 * n_faces_);
+  corners_ = make_big_array<Index>(3 * n_faces_);
   for (std::size_t f = 0; f < n_faces_; ++f) {
     const auto& polygon = mesh.polygons[f];
     if (polygon.size() != 3) {
@@ -170,7 +170,7 @@ DirectLoop::DirectLoop(const PolygonMesh& mesh)
 
 void DirectLoop::number_edges(const std::vector<Index>& twins) {
   const std::size_t n_corners = 3 * n_faces_;
-  edges_ = std::make_unique_for_overwrite<Index[]>(n_corners);
+  edges_ = make_big_array<Index>(n_corners);
   for (std::size_t h = 0; h < n_corners; ++h) {
     if (twins[h] != kNone) continue;
     edges_[h] = static_cast<Index>(boundary_edges_.size());
@@ -344,9 +344,9 @@ void DirectLoop::split_boundary_edges() {
 }
 
 void DirectLoop::subdivide_once(const DirectLoopOptions& options, double done, double share) {
-  auto new_positions = std::make_unique_for_overwrite<Point3[]>(n_vertices_ + n_edges_);
-  auto new_corners = std::make_unique_for_overwrite<Index[]>(12 * n_faces_);
-  auto new_edges = std::make_unique_for_overwrite<Index[]>(12 * n_faces_);
+  auto new_positions = make_big_array<Point3>(n_vertices_ + n_edges_);
+  auto new_corners = make_big_array<Index>(12 * n_faces_);
+  auto new_edges = make_big_array<Index>(12 * n_faces_);
 
   // The two scattering passes must each run in the order of the faces, for equal rounding; they
   // go first, and whoever is free splits faces.

@@ -3,10 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "grader/mesh/polygon_mesh.h"
+#include "grader/subdivide/big_array.h"
 #include "grader/subdivide/loop_rules.h"
 
 namespace meshgrade {
@@ -72,9 +72,9 @@ class DirectLoop {
   std::size_t n_vertices_ = 0;
   std::size_t n_edges_ = 0;
   std::size_t n_faces_ = 0;
-  std::unique_ptr<Point3[]> positions_;
-  std::unique_ptr<Index[]> corners_;  // of face f: 3f, 3f + 1, 3f + 2
-  std::unique_ptr<Index[]> edges_;    // 3f + k joins corners k and k + 1
+  BigArray<Point3> positions_;
+  BigArray<Index> corners_;  // of face f: 3f, 3f + 1, 3f + 2
+  BigArray<Index> edges_;    // 3f + k joins corners k and k + 1
   /// The ends of the boundary edges.
   std::vector<std::array<Index, 2>> boundary_edges_;
   /// For the vertices of the first mesh: the valence, or one of the marks of direct_loop.cpp.
