@@ -1,11 +1,11 @@
 #include "grader/assignment/assignment.h"
 
+#include <toml++/toml.h>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <set>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "grader/base/errors.h"
 
@@ -126,8 +126,10 @@ class Section {
     if (!value || (is_text && !node.is_string()) || (is_flag && !node.is_boolean()) ||
         (is_whole && !node.is_integer())) {
       fail(node, full(key) + " must be " +
-                     (is_text ? "a text in quotes"
-                              : is_flag ? "true or false" : is_whole ? "a whole number" : "a number"));
+                     (is_text    ? "a text in quotes"
+                      : is_flag  ? "true or false"
+                      : is_whole ? "a whole number"
+                                 : "a number"));
     }
     return *value;
   }
@@ -232,12 +234,17 @@ double sum_points(const std::vector<Group>& groups, bool extra_credit) {
 
 }  // namespace
 
-double ExerciseRubric::points() const { return sum_points(groups, false); }
-double ExerciseRubric::extra_points() const { return sum_points(groups, true); }
+double ExerciseRubric::points() const {
+  return sum_points(groups, false);
+}
+double ExerciseRubric::extra_points() const {
+  return sum_points(groups, true);
+}
 
 double Assignment::points() const {
   double sum = 0.0;
-  for (const ExerciseRubric& exercise : exercises) sum += exercise.points();
+  for (const ExerciseRubric& exercise : exercises)
+    sum += exercise.points();
   return sum;
 }
 

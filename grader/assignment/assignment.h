@@ -10,8 +10,8 @@ namespace meshgrade {
 
 /// Cases that points are given for together.
 struct Group {
-  std::string name;           ///< as in the cases: "basic"
-  std::string title;          ///< what it tests, in a few words
+  std::string name;   ///< as in the cases: "basic"
+  std::string title;  ///< what it tests, in a few words
   double points = 0.0;
   bool extra_credit = false;  ///< points on top, not needed for a full score
   bool partial = false;       ///< points in proportion to the cases passed, else all or none
@@ -19,8 +19,8 @@ struct Group {
 };
 
 struct ExerciseRubric {
-  std::string name;   ///< "edge_flip"
-  std::string title;  ///< "Edge flip"
+  std::string name;                            ///< "edge_flip"
+  std::string title;                           ///< "Edge flip"
   std::vector<std::string> needs;              ///< exercises whose functions this one calls
   std::map<std::string, std::string> options;  ///< settings of the exercise's own
   std::vector<Group> groups;

@@ -48,8 +48,10 @@ Pipe make_pipe() {
   ::dup2(kSafe, STDIN_FILENO);
   ::dup2(kSafe + 1, STDOUT_FILENO);
   ::dup2(kSafe + 1, STDERR_FILENO);
-  for (int i = 0; i < shared; ++i) ::dup2(kSafe + 2 + i, 3 + i);
-  for (int fd = 3 + shared; fd < kSafe + 2 + shared; ++fd) ::close(fd);
+  for (int i = 0; i < shared; ++i)
+    ::dup2(kSafe + 2 + i, 3 + i);
+  for (int fd = 3 + shared; fd < kSafe + 2 + shared; ++fd)
+    ::close(fd);
   if (!command.folder.empty() && ::chdir(command.folder.c_str()) != 0) ::_exit(kCannotStart);
   ::execvp(argv[0], argv);
   ::_exit(kCannotStart);
@@ -81,8 +83,8 @@ class Running {
 
   /// Waits for output. @return false when the program has ended or its time is up
   bool read_some() {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        deadline_ - Clock::now());
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now());
     if (left.count() <= 0) return !(result_.timed_out = true);
     pollfd ready{output_.get(), POLLIN, 0};
     const int count = ::poll(&ready, 1, static_cast<int>(left.count()) + 1);

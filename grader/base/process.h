@@ -60,9 +60,9 @@ struct Command {
 /// How a program ended.
 struct ProcessResult {
   bool timed_out = false;
-  int signal = 0;       ///< the signal that ended it, or 0
-  int status = 0;       ///< the exit status if no signal did
-  std::string output;   ///< what it wrote to standard output and standard error
+  int signal = 0;      ///< the signal that ended it, or 0
+  int status = 0;      ///< the exit status if no signal did
+  std::string output;  ///< what it wrote to standard output and standard error
 
   bool ok() const { return !timed_out && signal == 0 && status == 0; }
 };

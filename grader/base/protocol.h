@@ -2,9 +2,9 @@
 
 // What the grader and the worker say to each other. Written for C++17.
 //
-// The grader gives the worker a file with a TaskList. The worker appends frames to a result file:
-// for each task its steps and how it ended. Whatever is in that file was written by a process
-// that runs student code: it is a claim, not a fact.
+// The grader gives the worker a file with a TaskList. The worker appends frames to a result
+// file: for each task its steps and how it ended. Whatever is in that file was written by a
+// process that runs student code: it is a claim, not a fact.
 
 #include <cstdint>
 #include <string>
@@ -34,11 +34,12 @@ struct TaskList {
   std::uint32_t version = kProtocolVersion;
   std::uint64_t memory_bytes = 0;
   std::uint64_t result_bytes = 0;  ///< the most that the result file may hold
+  bool alone = false;              ///< every task in a process of its own
   std::vector<Task> tasks;
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(version, memory_bytes, result_bytes, tasks);
+    wire(version, memory_bytes, result_bytes, alone, tasks);
   }
 };
 

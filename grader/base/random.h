@@ -28,7 +28,8 @@ class Random {
   /// FNV-1a over the name, so that the order in which streams are made does not matter.
   static std::uint64_t mix(std::uint64_t seed, std::string_view stream) {
     std::uint64_t hash = 14695981039346656037ULL ^ seed;
-    for (char c : stream) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+    for (char c : stream)
+      hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
     return hash;
   }
 

@@ -31,7 +31,8 @@ bool is_deceptive(std::string_view sequence) {
   if (sequence.size() != 3 || sequence[0] != '\xE2') return false;
   const auto second = static_cast<unsigned char>(sequence[1]);
   const auto third = static_cast<unsigned char>(sequence[2]);
-  return (second == 0x80 && ((third >= 0x8B && third <= 0x8F) || (third >= 0xA8 && third <= 0xAE))) ||
+  return (second == 0x80 &&
+          ((third >= 0x8B && third <= 0x8F) || (third >= 0xA8 && third <= 0xAE))) ||
          (second == 0x81 && third >= 0xA0 && third <= 0xAF);
 }
 
@@ -43,9 +44,9 @@ std::string printable(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = utf8_length(text);
     const std::string_view sequence = text.substr(0, length);
-    const bool control =
-        length == 1 && (static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7F) &&
-        text[0] != '\t' && text[0] != '\n';
+    const bool control = length == 1 &&
+                         (static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7F) &&
+                         text[0] != '\t' && text[0] != '\n';
     if (length == 0 || control || is_deceptive(sequence)) {
       clean += '?';
     } else {

@@ -21,7 +21,8 @@ std::string number_text(double value, int digits = 6);
 template <class Point>
 std::string point_text(const Point& point) {
   std::string text = "(";
-  for (double x : point) text += (text.size() > 1 ? ", " : "") + number_text(x);
+  for (double x : point)
+    text += (text.size() > 1 ? ", " : "") + number_text(x);
   return text + ")";
 }
 

@@ -57,7 +57,8 @@ class WireWriter {
     if constexpr (std::is_trivially_copyable_v<T>) {
       append(values.data(), values.size() * sizeof(T));
     } else {
-      for (const T& value : values) put(value);
+      for (const T& value : values)
+        put(value);
     }
   }
 
@@ -131,7 +132,8 @@ class WireReader {
     } else {
       const std::uint64_t count = get_count(1);
       values.clear();
-      for (std::uint64_t i = 0; i < count; ++i) get(values.emplace_back());
+      for (std::uint64_t i = 0; i < count; ++i)
+        get(values.emplace_back());
     }
   }
 

@@ -24,15 +24,19 @@ template <class Work>
 void in_parallel(std::size_t count, Work work) {
   std::atomic<std::size_t> next{0};
   const auto take_turns = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
+    for (std::size_t i = next++; i < count; i = next++)
+      work(i);
   };
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::jthread> helpers;
-  for (std::size_t i = 1; i < std::min(cores, count); ++i) helpers.emplace_back(take_turns);
+  for (std::size_t i = 1; i < std::min(cores, count); ++i)
+    helpers.emplace_back(take_turns);
   take_turns();
 }
 
-std::string object_name(const std::string& source) { return source + ".o"; }
+std::string object_name(const std::string& source) {
+  return source + ".o";
+}
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
@@ -46,8 +50,10 @@ class Builder {
       : submission_(submission), home_(home), limits_(limits) {}
 
   Build build() {
-    for (const SourceFile& file : submission_.headers) write_file(path(file.name), file.text);
-    for (const SourceFile& file : submission_.sources) write_file(path(file.name), file.text);
+    for (const SourceFile& file : submission_.headers)
+      write_file(path(file.name), file.text);
+    for (const SourceFile& file : submission_.sources)
+      write_file(path(file.name), file.text);
     build_.files.resize(submission_.sources.size());
     in_parallel(build_.files.size(), [&](std::size_t i) { compile(i); });
     link_all();
@@ -79,11 +85,12 @@ class Builder {
   void compile(std::size_t i) {
     BuiltFile& file = build_.files[i];
     file.name = submission_.sources[i].name;
-    const ProcessResult result = run_process(command(
-        {home_.compiler, "@" + (home_.kit / "flags.txt").string(),
-         "-I" + (home_.kit / "precompiled").string(), "-I" + home_.include.string(),
-         "-ffile-prefix-map=" + build_.folder.path().string() + "=.", "-include",
-         "meshedit/meshedit.h", "-c", file.name, "-o", object_name(file.name)}));
+    const ProcessResult result =
+        run_process(command({home_.compiler, "@" + (home_.kit / "flags.txt").string(),
+                             "-I" + home_.include.string(),
+                             "-ffile-prefix-map=" + build_.folder.path().string() + "=.",
+                             "-include", (home_.kit / "precompiled.h").string(), "-c",
+                             file.name, "-o", object_name(file.name)}));
     file.ok = result.ok();
     file.messages = clean(result.output);
     if (result.timed_out) {
@@ -97,7 +104,8 @@ class Builder {
   /// Links the worker with these sources' objects.
   ProcessResult link(const std::vector<std::size_t>& sources) const {
     std::vector<std::string> arguments{home_.compiler, "-no-pie", "-o", kWorker};
-    for (std::size_t i : sources) arguments.push_back(object_name(build_.files[i].name));
+    for (std::size_t i : sources)
+      arguments.push_back(object_name(build_.files[i].name));
     arguments.push_back((home_.kit / "libmeshgrade_worker.a").string());
     return run_process(command(std::move(arguments)));
   }
@@ -126,7 +134,8 @@ class Builder {
         }
       }
     }
-    for (std::size_t i : waiting) build_.files[i].ok = false;
+    for (std::size_t i : waiting)
+      build_.files[i].ok = false;
     const ProcessResult last = link(taken);
     if (!last.ok()) throw GraderError("the worker cannot be linked: " + last.output);
   }

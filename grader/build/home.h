@@ -10,7 +10,7 @@ struct Home {
   std::filesystem::path kit;      ///< compiler flags, precompiled headers, the worker's objects
   std::filesystem::path meshes;   ///< the meshes that cases are made from
   std::filesystem::path docs;
-  std::string compiler;           ///< the C++ compiler for submissions
+  std::string compiler;  ///< the C++ compiler for submissions
 };
 
 }  // namespace meshgrade

@@ -15,7 +15,7 @@ using Point3 = std::array<double, 3>;
 struct CurveInput {
   std::vector<Point2> points;  ///< control points, at least 2
   double t = 0.0;              ///< a value that a float can hold
-  std::uint32_t steps = 1;     ///< how often evaluateStep is called, each time on its last result
+  std::uint32_t steps = 1;  ///< how often evaluateStep is called, each time on its last result
 
   template <class Wire>
   void transfer(Wire& wire) {

@@ -79,7 +79,8 @@ Case find_case(const Assignment& assignment, const std::filesystem::path& meshes
       if (c.id() == id) return c;
     }
   }
-  throw UserError("there is no case \"" + id + "\"; write it as in the report, like "
+  throw UserError("there is no case \"" + id +
+                  "\"; write it as in the report, like "
                   "edge_split:basic/3");
 }
 

@@ -42,8 +42,8 @@ class CaseMaker {
   std::vector<Case> take() { return std::move(cases_); }
 
  private:
-  void add_packed(const std::string& group, const std::string& title,
-                  std::uint64_t step_budget, std::string input);
+  void add_packed(const std::string& group, const std::string& title, std::uint64_t step_budget,
+                  std::string input);
 
   const Assignment& assignment_;
   const ExerciseRubric& rubric_;
@@ -51,7 +51,8 @@ class CaseMaker {
   std::vector<Case> cases_;
 };
 
-/// The cases of one exercise of the assignment, in a fixed order. Two calls give the same bytes.
+/// The cases of one exercise of the assignment, in a fixed order. Two calls give the same
+/// bytes.
 /// @throws UserError if the exercise or one of its groups does not exist, or a mesh file cannot
 ///         be read
 std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric& rubric,

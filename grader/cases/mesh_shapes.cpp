@@ -57,7 +57,8 @@ PolygonMesh make_torus(std::uint32_t rings, std::uint32_t sides) {
 
 TriangleSet::TriangleSet(const PolygonMesh& mesh)
     : vertices_(static_cast<std::uint32_t>(mesh.positions.size())) {
-  for (const auto& t : mesh.polygons) add(t.at(0), t.at(1), t.at(2));
+  for (const auto& t : mesh.polygons)
+    add(t.at(0), t.at(1), t.at(2));
 }
 
 std::vector<VertexPair> TriangleSet::edges() const {

@@ -25,7 +25,8 @@ PolygonMesh in_build_order(const PolygonMesh& mesh);
 /// The mesh with every position p replaced by `map(p)`.
 template <class Map>
 PolygonMesh mapped(PolygonMesh mesh, Map map) {
-  for (Point3& p : mesh.positions) p = map(p);
+  for (Point3& p : mesh.positions)
+    p = map(p);
   return mesh;
 }
 

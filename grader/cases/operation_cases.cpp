@@ -5,7 +5,9 @@
 namespace meshgrade {
 namespace {
 
-const char* verb(OperationKind kind) { return kind == OperationKind::kFlip ? "flip" : "split"; }
+const char* verb(OperationKind kind) {
+  return kind == OperationKind::kFlip ? "flip" : "split";
+}
 
 std::string sequence_text(std::uint32_t length, std::uint32_t flips_of_ten) {
   const std::string count = std::to_string(length);
@@ -49,8 +51,8 @@ void add_sequence(CaseMaker& maker, const std::string& group, const std::string&
     const VertexPair edge = edges[random.below(static_cast<std::uint32_t>(edges.size()))];
     const bool flip = random.below(10) < flips_of_ten;
     if (flip ? !triangles.can_flip(edge) : triangles.is_boundary(edge)) continue;
-    operations.push_back({flip ? OperationKind::kFlip : OperationKind::kSplit, edge.first,
-                          edge.second});
+    operations.push_back(
+        {flip ? OperationKind::kFlip : OperationKind::kSplit, edge.first, edge.second});
     if (flip) {
       triangles.flip(edge);
     } else {

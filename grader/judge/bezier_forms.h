@@ -11,7 +11,8 @@ namespace meshgrade {
 template <class Point>
 Point blend(const Point& a, const Point& b, double t) {
   Point p{};
-  for (std::size_t i = 0; i < p.size(); ++i) p[i] = (1.0 - t) * a[i] + t * b[i];
+  for (std::size_t i = 0; i < p.size(); ++i)
+    p[i] = (1.0 - t) * a[i] + t * b[i];
   return p;
 }
 
@@ -35,8 +36,10 @@ Point bernstein(const std::vector<Point>& points, double t) {
     for (std::size_t k = 0; k < i; ++k) {
       weight *= t * static_cast<double>(n - k) / static_cast<double>(k + 1);
     }
-    for (std::size_t k = i; k < n; ++k) weight *= 1.0 - t;
-    for (std::size_t axis = 0; axis < sum.size(); ++axis) sum[axis] += weight * points[i][axis];
+    for (std::size_t k = i; k < n; ++k)
+      weight *= 1.0 - t;
+    for (std::size_t axis = 0; axis < sum.size(); ++axis)
+      sum[axis] += weight * points[i][axis];
   }
   return sum;
 }

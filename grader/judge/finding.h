@@ -25,13 +25,13 @@ const char* verdict_name(Verdict verdict);
 
 /// One thing that is wrong, with all that a student needs to see it.
 struct Finding {
-  std::string rule;      ///< short name: "twin-opposite", "value", "unset-handle"
-  std::string meaning;   ///< what the rule asks, as a sentence
-  std::string where;     ///< "after operation 2 of 6 (flip v0-v3)"; empty if it is plain
-  std::string element;   ///< "h12", "v3", "point 2"
+  std::string rule;     ///< short name: "twin-opposite", "value", "unset-handle"
+  std::string meaning;  ///< what the rule asks, as a sentence
+  std::string where;    ///< "after operation 2 of 6 (flip v0-v3)"; empty if it is plain
+  std::string element;  ///< "h12", "v3", "point 2"
   std::string expected;
   std::string actual;
-  std::string look_at;   ///< pointer, function or idea to look at first
+  std::string look_at;            ///< pointer, function or idea to look at first
   std::vector<StackFrame> stack;  ///< the student's frames, innermost first
 };
 

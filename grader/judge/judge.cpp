@@ -113,8 +113,8 @@ void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
       break;
     case Ending::kExit:
       finding.rule = "exit";
-      finding.actual = "the code ended the whole program (exit status " +
-                       std::to_string(outcome.code) + ")";
+      finding.actual =
+          "the code ended the whole program (exit status " + std::to_string(outcome.code) + ")";
       break;
     case Ending::kException:
       finding.rule = "exception";
@@ -144,10 +144,14 @@ void judge_steps(const ExerciseJudge& judge, const JudgeTask& task, Conventions&
   try {
     judge.judge_steps(task, conventions, judgement);
   } catch (const WireError& error) {
-    judgement.findings.push_back(
-        {"malformed", "the worker writes down what the code left behind", "", "",
-         "a well-formed result", std::string("a result that cannot be read: ") + error.what(),
-         "does the code write over memory that is not its own?", {}});
+    judgement.findings.push_back({"malformed",
+                                  "the worker writes down what the code left behind",
+                                  "",
+                                  "",
+                                  "a well-formed result",
+                                  std::string("a result that cannot be read: ") + error.what(),
+                                  "does the code write over memory that is not its own?",
+                                  {}});
   }
 }
 
@@ -204,6 +208,7 @@ CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
     return judgement;
   }
   judge_steps(judge, task, conventions, judgement);
+  if (judgement.verdict == Verdict::kNotJudged) return judgement;
   const bool wrong_before = !judgement.findings.empty();
   if (outcome.ending == Ending::kFault) {
     judge_fault(judge, outcome, judgement);

@@ -13,13 +13,16 @@ Ref inner_halfedge(const MeshDump& mesh, Ref edge) {
   return is_outside(mesh, h) ? mesh.halfedges[h].twin : h;
 }
 
-Ref next_of(const MeshDump& mesh, Ref h) { return mesh.halfedges[h].next; }
+Ref next_of(const MeshDump& mesh, Ref h) {
+  return mesh.halfedges[h].next;
+}
 
 void make_triangle(MeshDump& mesh, Ref face, Ref x, Ref y, Ref z) {
   mesh.halfedges[x].next = y;
   mesh.halfedges[y].next = z;
   mesh.halfedges[z].next = x;
-  for (Ref h : {x, y, z}) mesh.halfedges[h].face = face;
+  for (Ref h : {x, y, z})
+    mesh.halfedges[h].face = face;
   mesh.faces[face].halfedge = x;
 }
 

@@ -221,8 +221,8 @@ class StepJudge {
   void judge_midpoint(const Point3& expected, Ref mine) {
     const Point3& actual = after_.vertices[mine].position;
     const double size = diagonal(before_);
-    const double error = std::hypot(actual[0] - expected[0], actual[1] - expected[1],
-                                    actual[2] - expected[2]);
+    const double error =
+        std::hypot(actual[0] - expected[0], actual[1] - expected[1], actual[2] - expected[2]);
     if (error <= task_.tolerance * size) return;
     report("midpoint", "the new vertex lies in the middle of the edge that was split",
            vertex_name(mine),
@@ -335,8 +335,8 @@ class StepJudge {
       if (before_.edges[e].live == 0 || e == free_edge) continue;
       const std::string want = edge_ends(expected, e);
       const std::string have = edge_ends(after_, e);
-      const std::string turned = have.substr(have.find('-') + 1) + "-" +
-                                 have.substr(0, have.find('-'));
+      const std::string turned =
+          have.substr(have.find('-') + 1) + "-" + have.substr(0, have.find('-'));
       if (want == have || want == turned) continue;
       report("identity", "the other edges stay where they are", edge_name(e),
              edge_name(e) + " joins " + want, edge_name(e) + " joins " + have,
@@ -391,12 +391,28 @@ std::string step_text(const OperationsInput& input, std::size_t i, Ref a, Ref b)
          vertex_name(b);
 }
 
+/// In a sequence of splits and flips, an operation of the other kind that goes wrong says
+/// nothing about this exercise.
+void leave_to_other_exercise(const JudgeTask& task, const OperationsInput& input,
+                             std::size_t done, CaseJudgement& judgement) {
+  if (done == input.operations.size()) return;
+  const bool flip = input.operations[done].kind == OperationKind::kFlip;
+  const std::string other = flip ? "edge_flip" : "edge_split";
+  const bool stopped = task.outcome.ending != Ending::kDone || !judgement.findings.empty();
+  if (other == task.asked.exercise || !stopped) return;
+  judgement.findings.clear();
+  judgement.verdict = Verdict::kNotJudged;
+  judgement.note = "operation " + std::to_string(done + 1) + ", a " +
+                   (flip ? "flip" : "split") + ", goes wrong: see " + other;
+}
+
 }  // namespace
 
 void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
   const auto input = from_wire<OperationsInput>(task.asked.input);
   if (task.outcome.steps.size() > input.operations.size()) throw WireError("too many steps");
   MeshDump before = dump_polygons(input.mesh);
+  std::size_t done = 0;  // operations that were judged to be right
   for (std::size_t i = 0; i < task.outcome.steps.size(); ++i) {
     const auto step = from_wire<OperationStep>(task.outcome.steps[i]);
     const Ref a = live_vertex(before, input.operations[i].a);
@@ -406,8 +422,10 @@ void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
         .judge();
     if (!judgement.findings.empty() || judgement.verdict != Verdict::kPassed) break;
     before = step.after;
+    ++done;
   }
   if (!judgement.findings.empty()) judgement.verdict = Verdict::kFailed;
+  leave_to_other_exercise(task, input, done, judgement);
 }
 
 }  // namespace meshgrade

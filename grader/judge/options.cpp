@@ -28,8 +28,8 @@ std::string choose_option(const ExerciseRubric& rubric, const std::string& optio
   const auto found = rubric.options.find(option);
   if (found == rubric.options.end()) return choices.at(0);
   if (contains(choices, found->second)) return found->second;
-  throw UserError("assignment: the option " + option + " of " + rubric.name + " must be one of " +
-                  join(choices, ", ") + ", not \"" + found->second + "\"");
+  throw UserError("assignment: the option " + option + " of " + rubric.name +
+                  " must be one of " + join(choices, ", ") + ", not \"" + found->second + "\"");
 }
 
 }  // namespace meshgrade

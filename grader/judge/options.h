@@ -8,7 +8,8 @@
 namespace meshgrade {
 
 /// @throws UserError if the rubric sets an option that is not in the list
-void refuse_unknown_options(const ExerciseRubric& rubric, const std::vector<std::string>& known);
+void refuse_unknown_options(const ExerciseRubric& rubric,
+                            const std::vector<std::string>& known);
 
 /// The value of an option, which must be one of `choices`; the first of them if it is not set.
 /// @throws UserError that names the option and the choices

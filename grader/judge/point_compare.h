@@ -11,7 +11,8 @@ namespace meshgrade {
 template <class Point>
 double distance(const Point& a, const Point& b) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += (a[i] - b[i]) * (a[i] - b[i]);
   return std::isfinite(sum) ? std::sqrt(sum) : INFINITY;
 }
 

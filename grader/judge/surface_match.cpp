@@ -47,9 +47,12 @@ class ComponentMatcher {
   }
 
   bool undo() {
-    for (Ref h : halfedges_) match_.halfedge[h] = kUnsetRef;
-    for (Ref v : vertices_) match_.vertex[v] = kUnsetRef;
-    for (Ref e : edges_) match_.edge[e] = kUnsetRef;
+    for (Ref h : halfedges_)
+      match_.halfedge[h] = kUnsetRef;
+    for (Ref v : vertices_)
+      match_.vertex[v] = kUnsetRef;
+    for (Ref e : edges_)
+      match_.edge[e] = kUnsetRef;
     return false;
   }
 

@@ -28,9 +28,9 @@ struct SurfaceMatch {
 bool match_component(const MeshDump& expected, const MeshDump& actual, Ref from, Ref to,
                      SurfaceMatch& match);
 
-/// Matches every component. `starts` are half-edges of `expected`, the best to start from first;
-/// they must hit every component. For each, `candidates` lists the half-edges of `actual` that
-/// it may be mapped to; the first that works is taken.
+/// Matches every component. `starts` are half-edges of `expected`, the best to start from
+/// first; they must hit every component. For each, `candidates` lists the half-edges of
+/// `actual` that it may be mapped to; the first that works is taken.
 /// @return false if some component cannot be matched, or the numbers of elements differ
 bool match_surfaces(const MeshDump& expected, const MeshDump& actual,
                     const std::vector<Ref>& starts,

@@ -15,7 +15,8 @@ inline void build_mesh(const PolygonMesh& polygons, meshedit::HalfedgeMesh& mesh
   }
   std::vector<meshedit::Vector3D> positions;
   positions.reserve(polygons.positions.size());
-  for (const Point3& p : polygons.positions) positions.emplace_back(p[0], p[1], p[2]);
+  for (const Point3& p : polygons.positions)
+    positions.emplace_back(p[0], p[1], p[2]);
   mesh.build(corners, positions);
 }
 

@@ -32,7 +32,9 @@ inline Ref look_up_face(const meshedit::HalfedgeMesh& mesh, const meshedit::Face
   return outside >= kForeignRef ? outside : outside | kBoundaryBit;
 }
 
-inline Point3 to_point(const meshedit::Vector3D& v) { return {v.x, v.y, v.z}; }
+inline Point3 to_point(const meshedit::Vector3D& v) {
+  return {v.x, v.y, v.z};
+}
 
 }  // namespace dump_detail
 
@@ -70,12 +72,10 @@ inline MeshDump dump_mesh(const meshedit::HalfedgeMesh& mesh) {
   dump.halfedges.reserve(halfedges.slots());
   for (std::size_t i = 0; i < halfedges.slots(); ++i) {
     const meshedit::Halfedge& h = *halfedges.at(i);
-    dump.halfedges.push_back({look_up(halfedges, Inspector::next(h)),
-                              look_up(halfedges, Inspector::twin(h)),
-                              look_up(vertices, Inspector::vertex(h)),
-                              look_up(edges, Inspector::edge(h)),
-                              dump_detail::look_up_face(mesh, Inspector::face(h)),
-                              Inspector::is_live(h)});
+    dump.halfedges.push_back(
+        {look_up(halfedges, Inspector::next(h)), look_up(halfedges, Inspector::twin(h)),
+         look_up(vertices, Inspector::vertex(h)), look_up(edges, Inspector::edge(h)),
+         dump_detail::look_up_face(mesh, Inspector::face(h)), Inspector::is_live(h)});
   }
   for (std::size_t i = 0; i < vertices.slots(); ++i) {
     const meshedit::Vertex& v = *vertices.at(i);

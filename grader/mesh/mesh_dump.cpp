@@ -10,7 +10,8 @@ std::string name(const char* letter, Ref ref) {
   if (ref == kUnsetRef) return "unset";
   if (ref == kPastEndRef) return "past the end";
   if (ref == kForeignRef) return "no element of this mesh";
-  if ((ref & kDeletedBit) != 0) return letter + std::to_string(ref & ~kDeletedBit) + " (deleted)";
+  if ((ref & kDeletedBit) != 0)
+    return letter + std::to_string(ref & ~kDeletedBit) + " (deleted)";
   return letter + std::to_string(ref);
 }
 
@@ -22,9 +23,15 @@ std::size_t count_live(const Records& records) {
 
 }  // namespace
 
-std::string halfedge_name(Ref ref) { return name("h", ref); }
-std::string vertex_name(Ref ref) { return name("v", ref); }
-std::string edge_name(Ref ref) { return name("e", ref); }
+std::string halfedge_name(Ref ref) {
+  return name("h", ref);
+}
+std::string vertex_name(Ref ref) {
+  return name("v", ref);
+}
+std::string edge_name(Ref ref) {
+  return name("e", ref);
+}
 
 std::string face_name(Ref ref) {
   if (ref >= kForeignRef || (ref & kBoundaryBit) == 0) return name("f", ref);

@@ -1,7 +1,8 @@
 #pragma once
 
 // A half-edge mesh as plain numbers: what the worker writes down and the judge reads. Elements
-// are numbered in the order of their creation and keep their number for life. Written for C++17.
+// are numbered in the order of their creation and keep their number for life. Written for
+// C++17.
 
 #include <array>
 #include <cstdint>
@@ -12,7 +13,8 @@ namespace meshgrade {
 
 using Point3 = std::array<double, 3>;
 
-/// A pointer of a mesh, as a number: that of the element it leads to, or one of the values below.
+/// A pointer of a mesh, as a number: that of the element it leads to, or one of the values
+/// below.
 using Ref = std::uint32_t;
 
 constexpr Ref kUnsetRef = 0xFFFFFFFFU;
@@ -71,7 +73,9 @@ std::string face_name(Ref ref);
 
 /// True if the number stands for an element and not for one of the special values. The element
 /// need not exist.
-constexpr bool is_plain(Ref ref) { return (ref & kDeletedBit) == 0; }
+constexpr bool is_plain(Ref ref) {
+  return (ref & kDeletedBit) == 0;
+}
 
 /// The face or boundary loop that a plain face reference names; nullptr if there is none.
 const FaceRecord* find_face(const MeshDump& mesh, Ref ref);

@@ -18,7 +18,8 @@ std::string times(std::size_t n, const std::string& what) {
 
 class RuleChecker {
  public:
-  explicit RuleChecker(const MeshDump& mesh) : mesh_(mesh), n_(static_cast<Ref>(mesh.halfedges.size())) {}
+  explicit RuleChecker(const MeshDump& mesh)
+      : mesh_(mesh), n_(static_cast<Ref>(mesh.halfedges.size())) {}
 
   std::vector<RuleBreak> check() {
     check_live_pointers();
@@ -52,8 +53,8 @@ class RuleChecker {
       count_ = 0;
     }
     if (count_++ >= kMostBreaksPerRule) return;
-    breaks_.push_back({rule, std::move(element), std::move(expected), std::move(actual),
-                       std::move(look_at)});
+    breaks_.push_back(
+        {rule, std::move(element), std::move(expected), std::move(actual), std::move(look_at)});
   }
 
   template <class Visit>
@@ -68,8 +69,7 @@ class RuleChecker {
     if (live) return;
     report("live-pointer", pointer.substr(0, pointer.find('.')),
            std::string(pointer) + " leads to a " + kind + " of this mesh",
-           target == "unset" ? pointer + " was never set"
-                             : pointer + " leads to: " + target,
+           target == "unset" ? pointer + " was never set" : pointer + " leads to: " + target,
            pointer);
   }
 
@@ -140,13 +140,14 @@ class RuleChecker {
       if (!live_halfedge(r.twin) || at(r.twin).edge == r.edge || r.twin < h) return;
       report("twin-edge", halfedge_name(h),
              halfedge_name(h) + " and its twin " + halfedge_name(r.twin) + " share one edge",
-             halfedge_name(h) + ".edge is " + edge_name(r.edge) + ", " +
-                 halfedge_name(r.twin) + ".edge is " + edge_name(at(r.twin).edge),
+             halfedge_name(h) + ".edge is " + edge_name(r.edge) + ", " + halfedge_name(r.twin) +
+                 ".edge is " + edge_name(at(r.twin).edge),
              halfedge_name(h) + ".edge and " + halfedge_name(r.twin) + ".edge");
     });
     for (Ref e = 0; e < sides.size(); ++e) {
       if (mesh_.edges[e].live == 0 || sides[e] == 2) continue;
-      report("twin-edge", edge_name(e), "two half-edges name " + edge_name(e) + " as their edge",
+      report("twin-edge", edge_name(e),
+             "two half-edges name " + edge_name(e) + " as their edge",
              times(sides[e], "half-edge") + (sides[e] == 1 ? " does" : " do"),
              "the .edge of the half-edges around " + edge_name(e));
     }
@@ -174,8 +175,8 @@ class RuleChecker {
       if (!live_halfedge(r.next) || at(r.next).face == r.face) return;
       report("next-face", halfedge_name(h),
              halfedge_name(h) + " and its next " + halfedge_name(r.next) + " share one face",
-             halfedge_name(h) + ".face is " + face_name(r.face) + ", " +
-                 halfedge_name(r.next) + ".face is " + face_name(at(r.next).face),
+             halfedge_name(h) + ".face is " + face_name(r.face) + ", " + halfedge_name(r.next) +
+                 ".face is " + face_name(at(r.next).face),
              halfedge_name(h) + ".face, " + halfedge_name(r.next) + ".face and " +
                  halfedge_name(h) + ".next");
     });
@@ -214,7 +215,8 @@ class RuleChecker {
         report_loop(f, record.halfedge, walked, named);
       }
     };
-    for (Ref f = 0; f < mesh_.faces.size(); ++f) check_loop(f, mesh_.faces[f]);
+    for (Ref f = 0; f < mesh_.faces.size(); ++f)
+      check_loop(f, mesh_.faces[f]);
     for (Ref b = 0; b < mesh_.boundaries.size(); ++b) {
       check_loop(b | kBoundaryBit, mesh_.boundaries[b]);
     }
@@ -224,11 +226,12 @@ class RuleChecker {
     const std::string name = face_name(f);
     const bool inside = (f & kBoundaryBit) == 0;
     report("face-loop", name,
-           inside ? "walking next from " + name + ".halfedge meets the 3 half-edges of a triangle"
-                  : "walking next from " + name + ".halfedge meets every half-edge of the loop",
+           inside
+               ? "walking next from " + name + ".halfedge meets the 3 half-edges of a triangle"
+               : "walking next from " + name + ".halfedge meets every half-edge of the loop",
            "the walk from " + halfedge_name(start) + " meets " + times(walked, "half-edge") +
-               ", and " + times(named, "half-edge") + (named == 1 ? " names " : " name ") + name +
-               " as face",
+               ", and " + times(named, "half-edge") + (named == 1 ? " names " : " name ") +
+               name + " as face",
            "the .next and the .face of the half-edges around " + name);
   }
 
@@ -236,8 +239,7 @@ class RuleChecker {
     for (Ref v = 0; v < mesh_.vertices.size(); ++v) {
       const VertexRecord& r = mesh_.vertices[v];
       if (r.live == 0 || !live_halfedge(r.halfedge) || at(r.halfedge).vertex == v) continue;
-      report("anchor", vertex_name(v),
-             vertex_name(v) + ".halfedge starts at " + vertex_name(v),
+      report("anchor", vertex_name(v), vertex_name(v) + ".halfedge starts at " + vertex_name(v),
              vertex_name(v) + ".halfedge is " + halfedge_name(r.halfedge) +
                  ", which starts at " + vertex_name(at(r.halfedge).vertex),
              vertex_name(v) + ".halfedge");
@@ -257,7 +259,8 @@ class RuleChecker {
                  face_name(at(r.halfedge).face),
              face_name(f) + ".halfedge");
     };
-    for (Ref f = 0; f < mesh_.faces.size(); ++f) check_face(f, mesh_.faces[f]);
+    for (Ref f = 0; f < mesh_.faces.size(); ++f)
+      check_face(f, mesh_.faces[f]);
     for (Ref b = 0; b < mesh_.boundaries.size(); ++b) {
       check_face(b | kBoundaryBit, mesh_.boundaries[b]);
     }
@@ -294,7 +297,8 @@ class RuleChecker {
       report("boundary", face_name(f), outside ? "a boundary loop" : "no boundary loop",
              outside ? "its isBoundary() is false" : "its isBoundary() is true", face_name(f));
     };
-    for (Ref f = 0; f < mesh_.faces.size(); ++f) check_flag(f, mesh_.faces[f], false);
+    for (Ref f = 0; f < mesh_.faces.size(); ++f)
+      check_flag(f, mesh_.faces[f], false);
     for (Ref b = 0; b < mesh_.boundaries.size(); ++b) {
       check_flag(b | kBoundaryBit, mesh_.boundaries[b], true);
     }
@@ -373,9 +377,11 @@ class RuleChecker {
 const std::vector<Rule>& mesh_rules() {
   static const std::vector<Rule> rules{
       {"live-pointer",
-       "every pointer leads to an element of this mesh that was not deleted, of the right kind"},
+       "every pointer leads to an element of this mesh that was not deleted, of the right "
+       "kind"},
       {"twin-involution",
-       "the twin of the twin of a half-edge is the half-edge itself, and no half-edge is its own "
+       "the twin of the twin of a half-edge is the half-edge itself, and no half-edge is its "
+       "own "
        "twin"},
       {"twin-edge",
        "a half-edge and its twin share their edge, and each edge has exactly these two"},
@@ -383,20 +389,25 @@ const std::vector<Rule>& mesh_rules() {
       {"next-permutation", "every half-edge is the next of exactly one half-edge"},
       {"next-face", "a half-edge and its next lie in the same face"},
       {"face-loop",
-       "walking next from the half-edge of a face meets exactly the half-edges of that face, and "
+       "walking next from the half-edge of a face meets exactly the half-edges of that face, "
+       "and "
        "three of them unless it is a boundary loop"},
       {"anchor",
-       "the half-edge of a vertex starts there, that of an edge lies on it, that of a face lies "
+       "the half-edge of a vertex starts there, that of an edge lies on it, that of a face "
+       "lies "
        "in it"},
       {"vertex-fan",
        "walking twin, next around a vertex meets every half-edge that starts there"},
-      {"boundary", "boundary loops, and only they, are marked as boundary; none is lost, none "
-                   "appears"},
+      {"boundary",
+       "boundary loops, and only they, are marked as boundary; none is lost, none "
+       "appears"},
       {"simple",
-       "no edge joins a vertex to itself, no two edges join the same two vertices, no two faces "
+       "no edge joins a vertex to itself, no two edges join the same two vertices, no two "
+       "faces "
        "have the same corners"},
       {"counts",
-       "the numbers of vertices, edges, faces and half-edges are what the operation makes them"},
+       "the numbers of vertices, edges, faces and half-edges are what the operation makes "
+       "them"},
       {"orientation", "the surface keeps its winding: no face is turned inside out"},
       {"finite", "every coordinate is a finite number"},
   };

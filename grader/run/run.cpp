@@ -27,11 +27,12 @@ std::string read_all(int file, std::uint64_t most) {
   std::string bytes;
   const off_t size = ::lseek(file, 0, SEEK_END);
   if (size <= 0) return bytes;
-  bytes.resize(static_cast<std::size_t>(std::min<std::uint64_t>(static_cast<std::uint64_t>(size), most)));
+  bytes.resize(static_cast<std::size_t>(
+      std::min<std::uint64_t>(static_cast<std::uint64_t>(size), most)));
   std::size_t done = 0;
   while (done < bytes.size()) {
-    const ssize_t part = ::pread(file, bytes.data() + done, bytes.size() - done,
-                                 static_cast<off_t>(done));
+    const ssize_t part =
+        ::pread(file, bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
     if (part <= 0) break;
     done += static_cast<std::size_t>(part);
   }
@@ -39,8 +40,10 @@ std::string read_all(int file, std::uint64_t most) {
   return bytes;
 }
 
-TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits) {
+TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
+                    Company company) {
   TaskList list;
+  list.alone = company == Company::kAlone;
   list.memory_bytes = limits.memory_mb * kMegabyte;
   list.result_bytes = limits.result_mb * kMegabyte;
   for (const Case* c : cases) {
@@ -66,7 +69,7 @@ Outcome to_outcome(TaskResult task) {
 /// For the tasks that the result file says nothing about.
 Outcome unfinished(const ProcessResult& worker) {
   Outcome outcome;
-  outcome.ending = worker.timed_out ? Ending::kOutOfTime
+  outcome.ending = worker.timed_out     ? Ending::kOutOfTime
                    : worker.signal != 0 ? Ending::kSignal
                                         : Ending::kExit;
   outcome.code = worker.signal != 0 ? worker.signal : worker.status;
@@ -80,7 +83,8 @@ void add_stacks(const Build& build, const std::vector<TaskResult>& tasks,
                 std::vector<Outcome>& outcomes) {
   std::set<std::uint64_t> addresses;
   for (const TaskResult& task : tasks) {
-    for (std::uint64_t address : task.end.stack) addresses.insert(address - 1);
+    for (std::uint64_t address : task.end.stack)
+      addresses.insert(address - 1);
   }
   const auto frames = symbolize(build.worker, addresses);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -99,11 +103,11 @@ void add_stacks(const Build& build, const std::vector<TaskResult>& tasks,
 }  // namespace
 
 std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
-                               const Limits& limits) {
+                               const Limits& limits, Company company) {
   FileDescriptor tasks = make_scratch_file();
   FileDescriptor results = make_scratch_file();
   FileDescriptor output = make_scratch_file();
-  write_all(tasks.get(), to_wire(make_tasks(cases, limits)));
+  write_all(tasks.get(), to_wire(make_tasks(cases, limits, company)));
   Command command;
   command.arguments = {build.worker.string()};
   command.folder = build.folder.path();
@@ -113,7 +117,8 @@ std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*
   const ProcessResult worker = run_process(command);
   std::vector<TaskResult> read;
   try {
-    read = read_results(read_all(results.get(), (limits.result_mb + 2) * kMegabyte), cases.size());
+    read =
+        read_results(read_all(results.get(), (limits.result_mb + 2) * kMegabyte), cases.size());
   } catch (const WireError&) {
     read.assign(cases.size(), {});  // forged: nothing in it counts
   }

@@ -8,11 +8,15 @@
 
 namespace meshgrade {
 
+/// Whether cases share a process, which is fast, or have one each, which shows whether a
+/// solution keeps state from one call to the next.
+enum class Company { kTogether, kAlone };
+
 /// Runs all cases in one worker, one after the other. A case that kills the worker loses only
 /// itself. What the student's code does is never the grader's fault: the result has one
 /// Outcome for each case, whatever happens.
 /// @throws GraderError if the worker cannot be started
 std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
-                               const Limits& limits);
+                               const Limits& limits, Company company);
 
 }  // namespace meshgrade

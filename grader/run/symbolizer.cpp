@@ -28,7 +28,8 @@ std::map<std::uint64_t, std::vector<StackFrame>> symbolize(
   Command command;
   command.arguments = {"addr2line", "-a", "-f", "-i", "-C", "-e", program.string()};
   std::ostringstream input;
-  for (std::uint64_t address : addresses) input << std::hex << address << "\n";
+  for (std::uint64_t address : addresses)
+    input << std::hex << address << "\n";
   command.input = input.str();
   command.kept_output = 16U << 20U;
   ProcessResult result;

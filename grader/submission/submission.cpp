@@ -17,13 +17,18 @@ bool has_ending(const fs::path& file, const std::set<std::string>& endings) {
   return endings.count(file.extension().string()) != 0;
 }
 
-bool is_source(const fs::path& file) { return has_ending(file, {".cpp", ".cc", ".cxx"}); }
-bool is_header(const fs::path& file) { return has_ending(file, {".h", ".hpp", ".hh"}); }
+bool is_source(const fs::path& file) {
+  return has_ending(file, {".cpp", ".cc", ".cxx"});
+}
+bool is_header(const fs::path& file) {
+  return has_ending(file, {".h", ".hpp", ".hh"});
+}
 
 std::vector<fs::path> list(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> entries;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+  for (fs::directory_iterator it(folder, error), end; !error && it != end;
+       it.increment(error)) {
     entries.push_back(it->path());
   }
   if (error) throw UserError(folder.string() + ": cannot be read: " + error.message());
@@ -99,8 +104,8 @@ void add_file(const fs::path& file, const SubmissionRules& rules, Submission& su
     return;
   }
   if (submission.sources.size() + submission.headers.size() >= rules.files) {
-    submission.notes.push_back(name + " is left out: more than " +
-                               std::to_string(rules.files) + " files");
+    submission.notes.push_back(name + " is left out: more than " + std::to_string(rules.files) +
+                               " files");
     return;
   }
   std::string text;
@@ -118,7 +123,8 @@ Submission find_submission(const fs::path& path, const SubmissionRules& rules) {
   submission.name = fs::weakly_canonical(path, error).filename().string();
   if (fs::is_directory(status)) {
     submission.folder = unwrap(path);
-    for (const fs::path& file : list(submission.folder)) add_file(file, rules, submission);
+    for (const fs::path& file : list(submission.folder))
+      add_file(file, rules, submission);
   } else {
     submission.folder = path.parent_path();
     add_file(path, rules, submission);

@@ -35,7 +35,8 @@ std::vector<std::uint64_t> call_stack() {
   void* frames[kDepth];
   const int depth = ::backtrace(frames, kDepth);
   std::vector<std::uint64_t> stack;
-  for (int i = 0; i < depth; ++i) stack.push_back(reinterpret_cast<std::uintptr_t>(frames[i]));
+  for (int i = 0; i < depth; ++i)
+    stack.push_back(reinterpret_cast<std::uintptr_t>(frames[i]));
   return stack;
 }
 
@@ -171,8 +172,7 @@ std::string frame_bytes(FrameKind kind, const std::string& payload) {
 
 void Recorder::write_step(const std::string& bytes) {
   const StepFrame frame{running.shared->tasks_done, bytes};
-  if (append_frame(kResultFile, *running.shared,
-                   frame_bytes(FrameKind::kStep, to_wire(frame)),
+  if (append_frame(kResultFile, *running.shared, frame_bytes(FrameKind::kStep, to_wire(frame)),
                    running.list->result_bytes)) {
     return;
   }
@@ -211,8 +211,10 @@ void run_tasks(const TaskList& list, SharedState& shared) {
   std::set_new_handler(on_out_of_memory);
   meshedit::detail::fault_handler = on_fault;
   limit_memory(list.memory_bytes);
-  while (shared.tasks_done < list.tasks.size()) run_task(list.tasks[shared.tasks_done]);
-  ::_exit(0);
+  do {
+    run_task(list.tasks[shared.tasks_done]);
+  } while (!list.alone && shared.tasks_done < list.tasks.size());
+  ::_exit(kTaskRecordedStatus);
 }
 
 }  // namespace meshgrade

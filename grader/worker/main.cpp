@@ -37,8 +37,7 @@ std::string read_whole_file(int file) {
 bool watch(pid_t child, int life_line, const TaskList& list, const SharedState& shared) {
   for (;;) {
     const std::uint32_t task = shared.tasks_done;
-    const std::uint32_t patience =
-        task < list.tasks.size() ? list.tasks[task].wall_ms : 1000;
+    const std::uint32_t patience = task < list.tasks.size() ? list.tasks[task].wall_ms : 1000;
     pollfd death{life_line, POLLIN, 0};
     const int ready = ::poll(&death, 1, static_cast<int>(patience));
     if (ready > 0) return false;
@@ -64,7 +63,7 @@ void record_death(const TaskList& list, SharedState& shared, int status, bool ov
   EndFrame frame;
   frame.task = shared.tasks_done;
   frame.ending = classify(status, overdue, shared);
-  frame.code = shared.signal != 0 ? shared.signal.load()
+  frame.code = shared.signal != 0  ? shared.signal.load()
                : WIFEXITED(status) ? WEXITSTATUS(status)
                                    : WTERMSIG(status);
   const std::uint32_t depth = std::min<std::uint32_t>(shared.stack_size, 64);

@@ -17,9 +17,9 @@ std::vector<Point2> random_points(std::size_t count, Random& random) {
 
 void add_step(CaseMaker& maker, const std::string& group, std::vector<Point2> points,
               double t) {
-  maker.add(group,
-            "one step with " + plural(points.size(), "point") + " at t = " + number_text(t),
-            kNoSteps, CurveInput{std::move(points), t, 1});
+  const std::string title =
+      "one step with " + plural(points.size(), "point") + " at t = " + number_text(t);
+  maker.add(group, title, kNoSteps, CurveInput{std::move(points), t, 1});
 }
 
 void add_whole(CaseMaker& maker, const std::string& what, std::vector<Point2> points,

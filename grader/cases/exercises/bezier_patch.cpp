@@ -12,22 +12,24 @@ constexpr std::uint64_t kNoSteps = 1000;  // patches have no handles to step thr
 std::vector<Point3> random_row(std::size_t count, Random& random) {
   std::vector<Point3> row;
   for (std::size_t i = 0; i < count; ++i) {
-    row.push_back({random.between(-3.0, 3.0), random.between(-3.0, 3.0),
-                   random.between(-3.0, 3.0)});
+    row.push_back(
+        {random.between(-3.0, 3.0), random.between(-3.0, 3.0), random.between(-3.0, 3.0)});
   }
   return row;
 }
 
 Net random_net(std::size_t rows, std::size_t columns, Random& random) {
   Net net;
-  for (std::size_t i = 0; i < rows; ++i) net.push_back(random_row(columns, random));
+  for (std::size_t i = 0; i < rows; ++i)
+    net.push_back(random_row(columns, random));
   return net;
 }
 
 Net to_net(const ControlNet& control) {
   Net net(control.rows);
   for (std::size_t r = 0; r < control.rows; ++r) {
-    for (std::size_t c = 0; c < control.cols; ++c) net[r].push_back(control.at(r, c));
+    for (std::size_t c = 0; c < control.cols; ++c)
+      net[r].push_back(control.at(r, c));
   }
   return net;
 }
@@ -42,11 +44,11 @@ void add_step_and_line(CaseMaker& maker, std::size_t count, double t, Random& ra
 
 void add_surface(CaseMaker& maker, const std::string& group, const std::string& what, Net net,
                  const std::vector<std::array<double, 2>>& parameters) {
-  maker.add(group,
-            "evaluate on " + what + " (" + std::to_string(net.size()) + " rows of " +
-                std::to_string(net[0].size()) + ") at " +
-                plural(parameters.size(), "place"),
-            kNoSteps, PatchInput{PatchFunction::kSurface, std::move(net), parameters});
+  const std::string title = "evaluate on " + what + " (" + std::to_string(net.size()) +
+                            " rows of " + std::to_string(net[0].size()) + ") at " +
+                            plural(parameters.size(), "place");
+  maker.add(group, title, kNoSteps,
+            PatchInput{PatchFunction::kSurface, std::move(net), parameters});
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ void make_edge_flip_cases(CaseMaker& maker) {
                            "grid_4x4.obj", "fan.obj", "tetrahedron.obj"}) {
     add_every_edge(maker, "basic", OperationKind::kFlip, file, EdgeChoice::kInner);
   }
-  for (const char* file : {"two_triangles.obj", "single_triangle.obj", "grid_4x4.obj",
-                           "cylinder.dae"}) {
+  for (const char* file :
+       {"two_triangles.obj", "single_triangle.obj", "grid_4x4.obj", "cylinder.dae"}) {
     add_every_edge(maker, "boundary", OperationKind::kFlip, file, EdgeChoice::kBoundary);
   }
   for (const char* file : {"two_triangles.obj", "octahedron.off", "cube.obj"}) {

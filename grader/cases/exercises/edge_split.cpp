@@ -8,8 +8,8 @@ void make_edge_split_cases(CaseMaker& maker) {
     add_every_edge(maker, "basic", OperationKind::kSplit, file, EdgeChoice::kInner);
   }
   for (const char* group : {"boundary", "boundary_split"}) {
-    for (const char* file : {"two_triangles.obj", "single_triangle.obj", "grid_4x4.obj",
-                             "cylinder.dae"}) {
+    for (const char* file :
+         {"two_triangles.obj", "single_triangle.obj", "grid_4x4.obj", "cylinder.dae"}) {
       add_every_edge(maker, group, OperationKind::kSplit, file, EdgeChoice::kBoundary);
     }
   }

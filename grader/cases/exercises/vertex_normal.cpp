@@ -51,8 +51,8 @@ void make_vertex_normal_cases(CaseMaker& maker) {
                            "fan.obj", "cylinder.dae"}) {
     add(maker, "boundary", std::string(file) + ", bent", bent(maker.mesh(file)));
   }
-  for (const char* file : {"sliver.obj", "needle.obj", "double_torus.obj",
-                           "two_components.obj"}) {
+  for (const char* file :
+       {"sliver.obj", "needle.obj", "double_torus.obj", "two_components.obj"}) {
     add(maker, "stress", file, maker.mesh(file));
   }
   const PolygonMesh shaken = jittered(maker.mesh("icosahedron.obj"), 0.2, random);

@@ -18,8 +18,9 @@ class StepsJudge {
 
   /// @return false at the first step that is wrong
   bool judge_step(std::size_t index, const std::vector<Point2>& given, const CurveStep& step) {
-    where_ = input_.steps == 1 ? "" : "in step " + std::to_string(index + 1) + " of " +
-                                          std::to_string(input_.steps);
+    where_ = input_.steps == 1 ? ""
+                               : "in step " + std::to_string(index + 1) + " of " +
+                                     std::to_string(input_.steps);
     return leaves_input(given, step) && has_count(given, step) && has_values(given, step);
   }
 
@@ -69,14 +70,13 @@ class StepsJudge {
     const WorstPoint worst = worst_point(expected, step.result);
     if (worst.error <= task_.tolerance * size) return true;
     const std::string i = std::to_string(worst.index);
-    report("value", "point i of the result is (1 - t) points[i] + t points[i + 1]",
-           "point " + i,
-           point_text(expected[worst.index]) + " = (1 - t) " + point_text(given[worst.index]) +
-               " + t " + point_text(given[worst.index + 1]) + " with t = " +
-               number_text(input_.t),
-           point_text(step.result[worst.index]) + ", off by " +
-               error_text(worst.error, size, task_.tolerance),
-           "the formula for point " + i);
+    report(
+        "value", "point i of the result is (1 - t) points[i] + t points[i + 1]", "point " + i,
+        point_text(expected[worst.index]) + " = (1 - t) " + point_text(given[worst.index]) +
+            " + t " + point_text(given[worst.index + 1]) + " with t = " + number_text(input_.t),
+        point_text(step.result[worst.index]) + ", off by " +
+            error_text(worst.error, size, task_.tolerance),
+        "the formula for point " + i);
     return false;
   }
 

@@ -36,7 +36,8 @@ const char* formula(PatchFunction function) {
 /// The surface point as a sum of products of Bernstein polynomials.
 Point3 tensor_bernstein(const std::vector<std::vector<Point3>>& net, double u, double v) {
   std::vector<Point3> column;
-  for (const auto& row : net) column.push_back(bernstein(row, u));
+  for (const auto& row : net)
+    column.push_back(bernstein(row, u));
   return bernstein(column, v);
 }
 
@@ -59,7 +60,8 @@ std::string place_text(const PatchInput& input, std::array<double, 2> place) {
 
 double size_of(const PatchInput& input) {
   std::vector<Point3> all;
-  for (const auto& row : input.net) all.insert(all.end(), row.begin(), row.end());
+  for (const auto& row : input.net)
+    all.insert(all.end(), row.begin(), row.end());
   return extent(all);
 }
 
@@ -72,10 +74,10 @@ void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t in
   const std::string name = function_name(input.function);
   judgement.verdict = Verdict::kFailed;
   if (actual.size() != expected.size()) {
-    judgement.findings.push_back(make_finding(
-        "count", "one step makes n - 1 points out of n", where, "the result",
-        plural(expected.size(), "point"), plural(actual.size(), "point"),
-        "the bounds of the loop and the list that is returned, in " + name));
+    judgement.findings.push_back(
+        make_finding("count", "one step makes n - 1 points out of n", where, "the result",
+                     plural(expected.size(), "point"), plural(actual.size(), "point"),
+                     "the bounds of the loop and the list that is returned, in " + name));
     return;
   }
   const double size = size_of(input);
@@ -84,14 +86,14 @@ void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t in
     judgement.verdict = Verdict::kPassed;
     return;
   }
-  judgement.findings.push_back(make_finding(
-      "value", formula(input.function), where,
-      input.function == PatchFunction::kStep ? "point " + std::to_string(worst.index)
-                                             : "the result",
-      point_text(expected[worst.index]),
-      point_text(actual[worst.index]) + ", off by " +
-          error_text(worst.error, size, task.tolerance),
-      "BezierPatch::" + name));
+  judgement.findings.push_back(make_finding("value", formula(input.function), where,
+                                            input.function == PatchFunction::kStep
+                                                ? "point " + std::to_string(worst.index)
+                                                : "the result",
+                                            point_text(expected[worst.index]),
+                                            point_text(actual[worst.index]) + ", off by " +
+                                                error_text(worst.error, size, task.tolerance),
+                                            "BezierPatch::" + name));
 }
 
 void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,

@@ -48,8 +48,7 @@ Level refine(const std::map<std::string, PolygonMesh>& meshes) {
   for (const Variant& variant : kVariants) {
     const auto mesh = meshes.find(variant.name);
     if (mesh == meshes.end()) continue;
-    LoopLevel refined =
-        opensubdiv_loop(mesh->second, variant.vertex_rule, variant.corner_rule);
+    LoopLevel refined = opensubdiv_loop(mesh->second, variant.vertex_rule, variant.corner_rule);
     if (level.origins.empty()) {
       level.origins.resize(refined.mesh.positions.size());
       for (std::uint32_t v = 0; v < refined.child_of_vertex.size(); ++v) {
@@ -79,9 +78,11 @@ MeshDump to_surface(const PolygonMesh& polygons) {
     }
   }
   std::vector<VertexRecord> vertices(dump.vertices.size());
-  for (std::size_t v = 0; v < own.size(); ++v) vertices[own[v]] = dump.vertices[v];
+  for (std::size_t v = 0; v < own.size(); ++v)
+    vertices[own[v]] = dump.vertices[v];
   dump.vertices = std::move(vertices);
-  for (HalfedgeRecord& h : dump.halfedges) h.vertex = own[h.vertex];
+  for (HalfedgeRecord& h : dump.halfedges)
+    h.vertex = own[h.vertex];
   return dump;
 }
 
@@ -95,9 +96,11 @@ class LevelsJudge {
     const auto& steps = task_.outcome.steps;
     if (steps.size() > input.levels) throw WireError("too many steps");
     std::map<std::string, PolygonMesh> meshes;
-    for (const std::string& name : conventions_) meshes[name] = input.mesh;
+    for (const std::string& name : conventions_)
+      meshes[name] = input.mesh;
     std::vector<Ref> old_to_mine(input.mesh.positions.size());
-    for (Ref v = 0; v < old_to_mine.size(); ++v) old_to_mine[v] = v;
+    for (Ref v = 0; v < old_to_mine.size(); ++v)
+      old_to_mine[v] = v;
     MeshDump before;
     for (std::size_t i = 0; i < steps.size(); ++i) {
       if (input.levels > 1) {
@@ -171,7 +174,8 @@ class LevelsJudge {
     std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(kept),
                       ranked.end());
     std::vector<Ref> list;
-    for (std::size_t i = 0; i < kept; ++i) list.push_back(ranked[i].second);
+    for (std::size_t i = 0; i < kept; ++i)
+      list.push_back(ranked[i].second);
     return list;
   }
 

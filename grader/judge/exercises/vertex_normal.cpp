@@ -19,7 +19,9 @@ Point3 cross(const Point3& a, const Point3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-double length(const Point3& a) { return std::hypot(a[0], a[1], a[2]); }
+double length(const Point3& a) {
+  return std::hypot(a[0], a[1], a[2]);
+}
 
 /// The normals by their definition, without half-edges: every triangle adds its cross product,
 /// whose length is twice its area, to its three corners.
@@ -30,12 +32,14 @@ std::vector<Point3> area_weighted_normals(const PolygonMesh& mesh) {
     const Point3 area =
         cross(subtract(mesh.positions[t[1]], p), subtract(mesh.positions[t[2]], p));
     for (std::uint32_t corner : t) {
-      for (std::size_t i = 0; i < 3; ++i) sums[corner][i] += area[i];
+      for (std::size_t i = 0; i < 3; ++i)
+        sums[corner][i] += area[i];
     }
   }
   for (Point3& sum : sums) {
     const double norm = length(sum);
-    for (double& x : sum) x /= norm;
+    for (double& x : sum)
+      x /= norm;
   }
   return sums;
 }
@@ -46,7 +50,8 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
   const std::vector<Point3> expected = area_weighted_normals(input.mesh);
   if (task.outcome.steps.size() > expected.size()) throw WireError("too many steps");
   std::vector<Point3> actual;
-  for (const std::string& step : task.outcome.steps) actual.push_back(from_wire<Point3>(step));
+  for (const std::string& step : task.outcome.steps)
+    actual.push_back(from_wire<Point3>(step));
   const WorstPoint worst = worst_point(expected, actual);
   if (worst.error <= task.tolerance) return;
   judgement.verdict = Verdict::kFailed;

@@ -18,7 +18,8 @@ class OpenCurve : public meshedit::BezierCurve {
 
 std::vector<Point2> to_points(const std::vector<meshedit::Vector2D>& vectors) {
   std::vector<Point2> points;
-  for (const meshedit::Vector2D& v : vectors) points.push_back({v.x, v.y});
+  for (const meshedit::Vector2D& v : vectors)
+    points.push_back({v.x, v.y});
   return points;
 }
 
@@ -27,7 +28,8 @@ std::vector<Point2> to_points(const std::vector<meshedit::Vector2D>& vectors) {
 void run_bezier_curve(WireReader& input, Recorder& recorder) {
   const CurveInput asked = input.read<CurveInput>();
   std::vector<meshedit::Vector2D> points;
-  for (const Point2& p : asked.points) points.emplace_back(p[0], p[1]);
+  for (const Point2& p : asked.points)
+    points.emplace_back(p[0], p[1]);
   OpenCurve curve(points, asked.t);
   for (std::uint32_t i = 0; i < asked.steps && points.size() >= 2; ++i) {
     const std::vector<meshedit::Vector2D> result = curve.evaluateStep(points);

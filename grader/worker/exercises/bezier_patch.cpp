@@ -8,13 +8,15 @@ namespace {
 
 std::vector<meshedit::Vector3D> to_vectors(const std::vector<Point3>& points) {
   std::vector<meshedit::Vector3D> vectors;
-  for (const Point3& p : points) vectors.emplace_back(p[0], p[1], p[2]);
+  for (const Point3& p : points)
+    vectors.emplace_back(p[0], p[1], p[2]);
   return vectors;
 }
 
 std::vector<Point3> to_points(const std::vector<meshedit::Vector3D>& vectors) {
   std::vector<Point3> points;
-  for (const meshedit::Vector3D& v : vectors) points.push_back({v.x, v.y, v.z});
+  for (const meshedit::Vector3D& v : vectors)
+    points.push_back({v.x, v.y, v.z});
   return points;
 }
 
@@ -23,7 +25,8 @@ std::vector<Point3> to_points(const std::vector<meshedit::Vector3D>& vectors) {
 void run_bezier_patch(WireReader& input, Recorder& recorder) {
   const PatchInput asked = input.read<PatchInput>();
   std::vector<std::vector<meshedit::Vector3D>> net;
-  for (const auto& row : asked.net) net.push_back(to_vectors(row));
+  for (const auto& row : asked.net)
+    net.push_back(to_vectors(row));
   const meshedit::BezierPatch patch(net);
   for (const auto& [u, v] : asked.parameters) {
     switch (asked.function) {

@@ -19,6 +19,8 @@ void run_vertex_normal(WireReader& input, Recorder& recorder) {
 
 namespace meshedit {
 
-MESHGRADE_STUB Vector3D Vertex::normal() const { notImplemented("Vertex::normal"); }
+MESHGRADE_STUB Vector3D Vertex::normal() const {
+  notImplemented("Vertex::normal");
+}
 
 }  // namespace meshedit

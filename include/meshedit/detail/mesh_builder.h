@@ -191,6 +191,7 @@ class MeshBuilder {
   }
 
   void fill(HalfedgeMesh& mesh) {
+    const StepPause uncounted;
     mesh.halfedges.clear();
     mesh.vertices.clear();
     mesh.edges.clear();

@@ -1,0 +1,84 @@
+#include "grader/app/check_command.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+#include "grader/app/context.h"
+#include "grader/app/grading.h"
+#include "grader/report/json_report.h"
+#include "grader/report/terminal_report.h"
+
+namespace meshgrade {
+namespace {
+
+struct CheckOptions {
+  std::string submission;
+  std::vector<std::string> exercises;
+  std::string assignment;
+  std::string json;
+  std::string color = "auto";
+  bool verbose = false;
+};
+
+bool use_color(const std::string& choice) {
+  if (choice != "auto") return choice == "always";
+  return ::isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+}
+
+/// Shows on a terminal what is going on, and nothing elsewhere.
+Progress terminal_progress() {
+  if (::isatty(STDERR_FILENO) == 0) return [](const std::string&) {};
+  return [](const std::string& what) { std::cerr << "\r\033[K" << what << std::flush; };
+}
+
+int exit_status(const Report& report) {
+  if (report.has_grader_error()) return 3;
+  return report.points < report.max_points ? 1 : 0;
+}
+
+int check(const CheckOptions& options) {
+  const Assignment assignment =
+      read_assignment(options.assignment.empty() ? standard_assignment()
+                                                 : std::filesystem::path(options.assignment));
+  const Submission submission = find_submission(options.submission, assignment.submission);
+  const Progress progress = terminal_progress();
+  const Report report = grade(assignment, submission, find_home(), options.exercises, progress);
+  if (::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K";
+  std::cout << to_terminal(report, {use_color(options.color), options.verbose}) << std::flush;
+  if (!options.json.empty()) write_file_safely(options.json, to_json(report));
+  return exit_status(report);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Grade one submission");
+  command
+      ->add_option("submission", options->submission,
+                   "The folder with the C++ files, or one file")
+      ->required();
+  command->add_option("exercises", options->exercises,
+                      "Only these exercises, for example edge_flip; all if none is named");
+  command->add_option(
+      "--assignment", options->assignment,
+      "What is asked and what it is worth (TOML); the standard one if not given");
+  command->add_option("--json", options->json, "Write the report to this file as JSON");
+  command->add_option("--color", options->color, "When to use color")
+      ->check(CLI::IsMember({"auto", "always", "never"}));
+  command->add_flag("-v,--verbose", options->verbose, "Show every case and every finding");
+  command->footer(
+      "Examples:\n"
+      "  meshgrade check student_skeleton\n"
+      "  meshgrade check my_homework edge_flip edge_split\n"
+      "  meshgrade check my_homework --json report.json\n"
+      "Exit code: 0 all required points, 1 points lost, 2 bad usage or unreadable input,\n"
+      "3 an error of the grader.");
+  command->callback([options, &exit_code] { exit_code = check(*options); });
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,36 @@
+#include "grader/app/context.h"
+
+#include <fstream>
+#include <system_error>
+
+#include "grader/base/errors.h"
+
+namespace meshgrade {
+
+Home find_home() {
+  const std::filesystem::path source = MESHGRADE_SOURCE_DIR;
+  return {source / "include", MESHGRADE_KIT_DIR, source / "meshes", source / "docs",
+          MESHGRADE_COMPILER};
+}
+
+std::filesystem::path standard_assignment() {
+  return std::filesystem::path(MESHGRADE_SOURCE_DIR) / "grader" / "assignment.toml";
+}
+
+void write_file_safely(const std::filesystem::path& file, const std::string& text) {
+  std::filesystem::path temporary = file;
+  temporary += ".partial";
+  std::ofstream stream(temporary, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code error;
+  if (stream) std::filesystem::rename(temporary, file, error);
+  if (!stream || error) {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    throw UserError(file.string() +
+                    ": cannot be written; is the folder there, with room left?");
+  }
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "grader/build/home.h"
+
+namespace meshgrade {
+
+/// Where this program's own files are: next to the sources it was built from.
+Home find_home();
+
+/// The assignment that is taken when none is named.
+std::filesystem::path standard_assignment();
+
+/// Writes a whole file, or nothing: to a temporary name first, which is then renamed.
+/// @throws UserError if it cannot be written
+void write_file_safely(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace meshgrade

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "grader/assignment/assignment.h"
+#include "grader/build/home.h"
+#include "grader/report/report.h"
+#include "grader/submission/submission.h"
+
+namespace meshgrade {
+
+/// Told what is going on, for people who wait: "compiling 6 files".
+using Progress = std::function<void(const std::string& what)>;
+
+/// The whole way from a submission to its report. `exercises` names those to grade; empty: all.
+/// @throws UserError if an exercise is not part of the assignment
+/// @throws GraderError if the grader itself fails
+Report grade(const Assignment& assignment, const Submission& submission, const Home& home,
+             const std::vector<std::string>& exercises, const Progress& progress);
+
+}  // namespace meshgrade

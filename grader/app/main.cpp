@@ -1,0 +1,41 @@
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "grader/app/check_command.h"
+#include "grader/base/errors.h"
+
+namespace {
+
+constexpr int kBadUsage = 2;
+constexpr int kGraderFailed = 3;
+
+int run(int argc, char** argv) {
+  int exit_code = 0;
+  CLI::App app("Meshgrade teaches half-edge meshes and Bezier surfaces, and grades them.",
+               "meshgrade");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("meshgrade ") + MESHGRADE_VERSION);
+  meshgrade::add_check_command(app, exit_code);
+  app.footer("`meshgrade COMMAND --help` explains a command, with examples.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : kBadUsage;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const meshgrade::UserError& error) {
+    std::cerr << "meshgrade: " << error.what() << "\n";
+    return kBadUsage;
+  } catch (const std::exception& error) {
+    std::cerr << "meshgrade: the grader itself failed: " << error.what() << "\n";
+    return kGraderFailed;
+  }
+}

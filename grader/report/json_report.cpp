@@ -1,0 +1,94 @@
+#include "grader/report/json_report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace meshgrade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_value(const FindingReport& report) {
+  const Finding& finding = report.finding;
+  Json value{{"rule", finding.rule},         {"meaning", finding.meaning},
+             {"where", finding.where},       {"element", finding.element},
+             {"expected", finding.expected}, {"actual", finding.actual},
+             {"look_at", finding.look_at}};
+  value["stack"] = Json::array();
+  for (const CodePlace& place : report.places) {
+    value["stack"].push_back({{"function", place.function},
+                              {"file", place.file},
+                              {"line", place.line},
+                              {"code", place.code}});
+  }
+  return value;
+}
+
+Json to_value(const CaseReport& report) {
+  Json value{{"id", report.id},
+             {"group", report.group},
+             {"title", report.title},
+             {"verdict", verdict_name(report.verdict)},
+             {"note", report.note},
+             {"output", report.output},
+             {"output_bytes", report.output_bytes}};
+  value["findings"] = Json::array();
+  for (const FindingReport& finding : report.findings) {
+    value["findings"].push_back(to_value(finding));
+  }
+  return value;
+}
+
+Json to_value(const GroupReport& group) {
+  return {{"name", group.name},
+          {"title", group.title},
+          {"extra_credit", group.extra_credit},
+          {"points", group.points},
+          {"max_points", group.max_points},
+          {"passed", group.passed},
+          {"judged", group.judged},
+          {"cases", group.cases}};
+}
+
+Json to_value(const ExerciseReport& report) {
+  Json value{{"name", report.name},
+             {"title", report.title},
+             {"verdict", verdict_name(report.verdict)},
+             {"points", report.points},
+             {"max_points", report.max_points},
+             {"extra_points", report.extra_points},
+             {"max_extra_points", report.max_extra_points},
+             {"notes", report.notes}};
+  value["groups"] = Json::array();
+  for (const GroupReport& group : report.groups)
+    value["groups"].push_back(to_value(group));
+  value["cases"] = Json::array();
+  for (const CaseReport& c : report.cases)
+    value["cases"].push_back(to_value(c));
+  return value;
+}
+
+}  // namespace
+
+std::string to_json(const Report& report) {
+  Json value{{"schema", "meshgrade-report/1"},
+             {"assignment", report.assignment},
+             {"seed", report.seed},
+             {"submission", report.submission},
+             {"points", report.points},
+             {"max_points", report.max_points},
+             {"extra_points", report.extra_points},
+             {"max_extra_points", report.max_extra_points},
+             {"notes", report.notes}};
+  value["files"] = Json::array();
+  for (const FileReport& file : report.files) {
+    value["files"].push_back(
+        {{"name", file.name}, {"compiled", file.compiled}, {"messages", file.messages}});
+  }
+  value["exercises"] = Json::array();
+  for (const ExerciseReport& exercise : report.exercises) {
+    value["exercises"].push_back(to_value(exercise));
+  }
+  return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,156 @@
+#include "grader/report/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "grader/base/text.h"
+
+namespace meshgrade {
+namespace {
+
+constexpr std::size_t kMostPlaces = 8;
+
+std::string trim(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// The lines of the submission's files, to quote from.
+class SourceLines {
+ public:
+  explicit SourceLines(const Submission& submission) {
+    for (const auto* list : {&submission.sources, &submission.headers}) {
+      for (const SourceFile& file : *list) {
+        lines_[file.name] = split_lines(printable(file.text));
+      }
+    }
+  }
+
+  std::string line(const std::string& file, int number) const {
+    const auto found = lines_.find(file);
+    if (found == lines_.end() || number < 1) return {};
+    const auto index = static_cast<std::size_t>(number) - 1;
+    return index < found->second.size() ? trim(found->second[index]) : "";
+  }
+
+ private:
+  std::map<std::string, std::vector<std::string>> lines_;
+};
+
+std::vector<CodePlace> to_places(const std::vector<StackFrame>& stack,
+                                 const SourceLines& sources) {
+  std::vector<CodePlace> places;
+  for (const StackFrame& frame : stack) {
+    if (places.size() == kMostPlaces) break;
+    places.push_back(
+        {frame.function, frame.file, frame.line, sources.line(frame.file, frame.line)});
+  }
+  return places;
+}
+
+CaseReport to_case_report(const JudgedCase& judged, const SourceLines& sources) {
+  CaseReport report;
+  report.id = judged.asked.id();
+  report.group = judged.asked.group;
+  report.title = judged.asked.title;
+  report.verdict = judged.judgement.verdict;
+  report.note = judged.judgement.note;
+  report.output = judged.output;
+  report.output_bytes = judged.output_bytes;
+  for (const Finding& finding : judged.judgement.findings) {
+    report.findings.push_back({finding, to_places(finding.stack, sources)});
+  }
+  return report;
+}
+
+double round_points(double points) {
+  return std::round(points * 100.0) / 100.0;
+}
+
+GroupReport add_up(const Group& group, const std::vector<CaseReport>& cases,
+                   const std::vector<GroupReport>& before) {
+  GroupReport report{group.name, group.title, group.extra_credit, 0.0, group.points, 0, 0, 0};
+  for (const CaseReport& c : cases) {
+    if (c.group != group.name) continue;
+    ++report.cases;
+    report.judged += c.verdict != Verdict::kNotJudged ? 1 : 0;
+    report.passed += c.verdict == Verdict::kPassed ? 1 : 0;
+  }
+  const bool needed_group_failed =
+      std::any_of(before.begin(), before.end(), [&](const GroupReport& other) {
+        return other.name == group.needs && other.points == 0.0 && other.max_points > 0.0;
+      });
+  if (report.judged == 0 || needed_group_failed) return report;
+  const bool all = report.passed == report.judged;
+  const double share = static_cast<double>(report.passed) / static_cast<double>(report.judged);
+  report.points = round_points(group.points * (group.partial ? share : (all ? 1.0 : 0.0)));
+  return report;
+}
+
+/// The verdict of the first case that was not passed, in the order of the groups that are
+/// required. A missing verdict for some cases does not spoil that of the others.
+Verdict overall_verdict(const ExerciseReport& exercise) {
+  Verdict verdict = Verdict::kPassed;
+  for (const GroupReport& group : exercise.groups) {
+    if (group.extra_credit) continue;
+    for (const CaseReport& c : exercise.cases) {
+      if (c.group != group.name || c.verdict == Verdict::kPassed) continue;
+      if (c.verdict == Verdict::kGraderError) return c.verdict;
+      if (verdict == Verdict::kPassed || verdict == Verdict::kNotJudged) verdict = c.verdict;
+    }
+  }
+  return verdict;
+}
+
+ExerciseReport to_exercise_report(const JudgedExercise& judged, const SourceLines& sources) {
+  ExerciseReport report;
+  report.name = judged.rubric->name;
+  report.title = judged.rubric->title;
+  report.notes = judged.notes;
+  for (const JudgedCase& c : judged.cases)
+    report.cases.push_back(to_case_report(c, sources));
+  for (const Group& group : judged.rubric->groups) {
+    report.groups.push_back(add_up(group, report.cases, report.groups));
+    const GroupReport& added = report.groups.back();
+    (added.extra_credit ? report.extra_points : report.points) += added.points;
+    (added.extra_credit ? report.max_extra_points : report.max_points) += added.max_points;
+  }
+  report.verdict = overall_verdict(report);
+  return report;
+}
+
+}  // namespace
+
+bool Report::has_grader_error() const {
+  return std::any_of(exercises.begin(), exercises.end(), [](const ExerciseReport& exercise) {
+    return std::any_of(exercise.cases.begin(), exercise.cases.end(),
+                       [](const CaseReport& c) { return c.verdict == Verdict::kGraderError; });
+  });
+}
+
+Report make_report(const Assignment& assignment, const Submission& submission,
+                   const std::vector<BuiltFile>& files,
+                   const std::vector<JudgedExercise>& exercises) {
+  Report report;
+  report.assignment = assignment.title;
+  report.submission = printable(submission.name);
+  report.seed = assignment.seed;
+  report.notes = submission.notes;
+  for (const BuiltFile& file : files) {
+    report.files.push_back({file.name, file.ok, file.messages});
+  }
+  const SourceLines sources(submission);
+  for (const JudgedExercise& judged : exercises) {
+    report.exercises.push_back(to_exercise_report(judged, sources));
+    const ExerciseReport& added = report.exercises.back();
+    report.points += added.points;
+    report.max_points += added.max_points;
+    report.extra_points += added.extra_points;
+    report.max_extra_points += added.max_extra_points;
+  }
+  return report;
+}
+
+}  // namespace meshgrade

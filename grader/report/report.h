@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "grader/assignment/assignment.h"
+#include "grader/build/build.h"
+#include "grader/cases/case.h"
+#include "grader/judge/judge.h"
+#include "grader/submission/submission.h"
+
+namespace meshgrade {
+
+/// A frame of the student's call stack with the line of code.
+struct CodePlace {
+  std::string function;
+  std::string file;
+  int line = 0;
+  std::string code;  ///< the line itself, without the space around it
+};
+
+struct FindingReport {
+  Finding finding;
+  std::vector<CodePlace> places;  ///< innermost first
+};
+
+struct CaseReport {
+  std::string id;
+  std::string group;
+  std::string title;
+  Verdict verdict = Verdict::kPassed;
+  std::vector<FindingReport> findings;
+  std::string note;
+  std::string output;  ///< what the code printed in this case, cut off
+  std::uint64_t output_bytes = 0;
+};
+
+struct GroupReport {
+  std::string name;
+  std::string title;
+  bool extra_credit = false;
+  double points = 0.0;
+  double max_points = 0.0;
+  std::size_t passed = 0;
+  std::size_t judged = 0;  ///< cases that count: all but those that are not judged
+  std::size_t cases = 0;
+};
+
+struct ExerciseReport {
+  std::string name;
+  std::string title;
+  Verdict verdict = Verdict::kPassed;
+  double points = 0.0;  ///< without extra credit
+  double max_points = 0.0;
+  double extra_points = 0.0;
+  double max_extra_points = 0.0;
+  std::vector<GroupReport> groups;
+  std::vector<CaseReport> cases;
+  std::vector<std::string> notes;  ///< "uses Warren's weights", "edge_split fails: see there"
+};
+
+struct FileReport {
+  std::string name;
+  bool compiled = false;
+  std::string messages;
+};
+
+/// Everything that any rendering shows.
+struct Report {
+  std::string assignment;
+  std::string submission;
+  std::uint64_t seed = 0;
+  std::vector<std::string> notes;
+  std::vector<FileReport> files;
+  std::vector<ExerciseReport> exercises;
+  double points = 0.0;
+  double max_points = 0.0;
+  double extra_points = 0.0;
+  double max_extra_points = 0.0;
+
+  bool has_grader_error() const;
+};
+
+/// An exercise after judging, its cases in order.
+struct JudgedCase {
+  Case asked;
+  CaseJudgement judgement;
+  std::string output;
+  std::uint64_t output_bytes = 0;
+};
+struct JudgedExercise {
+  const ExerciseRubric* rubric = nullptr;
+  std::vector<JudgedCase> cases;
+  std::vector<std::string> notes;
+};
+
+/// Adds up the points and collects what there is to say.
+Report make_report(const Assignment& assignment, const Submission& submission,
+                   const std::vector<BuiltFile>& files,
+                   const std::vector<JudgedExercise>& exercises);
+
+}  // namespace meshgrade

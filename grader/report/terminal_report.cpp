@@ -1,0 +1,204 @@
+#include "grader/report/terminal_report.h"
+
+#include <algorithm>
+
+#include "grader/base/text.h"
+
+namespace meshgrade {
+namespace {
+
+constexpr std::size_t kMostMessageLines = 12;
+
+std::string pad(std::string text, std::size_t width) {
+  if (text.size() < width) text.append(width - text.size(), ' ');
+  return text;
+}
+
+std::string pad_left(const std::string& text, std::size_t width) {
+  return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
+
+std::string points_text(double points, double max_points) {
+  return number_text(points) + " / " + number_text(max_points);
+}
+
+class TerminalReport {
+ public:
+  TerminalReport(const Report& report, const TerminalStyle& style)
+      : report_(report), style_(style) {}
+
+  std::string render() {
+    out_ = paint("1", report_.assignment) + "\nsubmission: " + report_.submission + "\n";
+    for (const std::string& note : report_.notes)
+      out_ += "note: " + note + "\n";
+    out_ += "\n";
+    add_table();
+    for (const FileReport& file : report_.files)
+      add_file(file);
+    for (const ExerciseReport& exercise : report_.exercises)
+      add_exercise(exercise);
+    return std::move(out_);
+  }
+
+ private:
+  std::string paint(const std::string& code, const std::string& text) const {
+    return style_.color ? "\033[" + code + "m" + text + "\033[0m" : text;
+  }
+
+  std::string paint_verdict(Verdict verdict, std::size_t width) const {
+    const char* code = verdict == Verdict::kPassed ? "32"
+                       : verdict == Verdict::kNotImplemented || verdict == Verdict::kNotJudged
+                           ? "33"
+                           : "31";
+    return paint(code, pad(verdict_name(verdict), width));
+  }
+
+  static std::string extra_text(double points, double max_points) {
+    return max_points > 0.0 ? "   extra " + points_text(points, max_points) : "";
+  }
+
+  void add_table() {
+    for (const ExerciseReport& e : report_.exercises) {
+      out_ += "  " + pad(e.name, 20) + paint_verdict(e.verdict, 18) +
+              pad_left(points_text(e.points, e.max_points), 12) +
+              extra_text(e.extra_points, e.max_extra_points) + "\n";
+    }
+    out_ += "  " + pad("total", 38) +
+            paint("1", pad_left(points_text(report_.points, report_.max_points), 12)) +
+            extra_text(report_.extra_points, report_.max_extra_points) + "\n";
+  }
+
+  void add_file(const FileReport& file) {
+    if (file.compiled && !style_.verbose) return;
+    if (file.compiled && file.messages.empty()) return;
+    out_ += "\n" + paint("1", file.name) +
+            (file.compiled ? " compiled with warnings:\n" : " does not compile:\n");
+    const std::vector<std::string> lines = split_lines(file.messages);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (i == kMostMessageLines && !style_.verbose) {
+        out_ += "    ... " + plural(lines.size() - i, "more line") + "; --verbose shows all\n";
+        break;
+      }
+      out_ += "    " + lines[i] + "\n";
+    }
+  }
+
+  void add_exercise(const ExerciseReport& exercise) {
+    const bool lost =
+        exercise.points < exercise.max_points || exercise.verdict != Verdict::kPassed;
+    if (!lost && !style_.verbose) return;
+    out_ += "\n" + paint("1", exercise.name) + ": " + paint_verdict(exercise.verdict, 0) +
+            ", " + number_text(exercise.points) + " of " + number_text(exercise.max_points) +
+            " points\n";
+    for (const GroupReport& group : exercise.groups)
+      add_group(group);
+    for (const std::string& note : exercise.notes)
+      out_ += "  note: " + note + "\n";
+    if (style_.verbose) {
+      for (const CaseReport& c : exercise.cases)
+        add_case(c);
+    } else {
+      add_first_failure(exercise);
+    }
+  }
+
+  void add_group(const GroupReport& group) {
+    out_ += "    " + pad(group.name, 16) +
+            pad_left(points_text(group.points, group.max_points), 8) +
+            (group.extra_credit ? "  extra, " : "  ") + group.title + ": " +
+            std::to_string(group.passed) + " of " + plural(group.cases, "case") + " passed";
+    if (group.judged < group.cases) {
+      out_ += ", " + std::to_string(group.cases - group.judged) + " not judged";
+    }
+    out_ += "\n";
+  }
+
+  static bool is_failure(const CaseReport& c) { return c.verdict != Verdict::kPassed; }
+
+  /// Required groups come before extra credit, and cases with a finding before those without.
+  const CaseReport* first_failure(const ExerciseReport& exercise) const {
+    const CaseReport* without_finding = nullptr;
+    for (bool extra : {false, true}) {
+      for (const GroupReport& group : exercise.groups) {
+        if (group.extra_credit != extra) continue;
+        for (const CaseReport& c : exercise.cases) {
+          if (c.group != group.name || !is_failure(c)) continue;
+          if (!c.findings.empty()) return &c;
+          if (without_finding == nullptr) without_finding = &c;
+        }
+      }
+      if (without_finding != nullptr) return without_finding;
+    }
+    return without_finding;
+  }
+
+  void add_first_failure(const ExerciseReport& exercise) {
+    const CaseReport* first = first_failure(exercise);
+    if (first == nullptr) return;
+    if (exercise.verdict == Verdict::kNotImplemented && first->findings.empty()) {
+      out_ += "  " + first->note + "\n";
+      return;
+    }
+    out_ += "  the first failure, of " +
+            std::to_string(
+                std::count_if(exercise.cases.begin(), exercise.cases.end(), is_failure)) +
+            ":\n";
+    add_case(*first);
+  }
+
+  void add_case(const CaseReport& c) {
+    out_ +=
+        "  " + paint("36", c.id) + ": " + c.title + ": " + paint_verdict(c.verdict, 0) + "\n";
+    const std::size_t shown = style_.verbose ? c.findings.size() : 1;
+    for (std::size_t i = 0; i < std::min(shown, c.findings.size()); ++i) {
+      add_finding(c.findings[i]);
+    }
+    if (shown < c.findings.size()) {
+      out_ += "    " + pad("and", 10) + plural(c.findings.size() - shown, "more finding") +
+              " in this case; --verbose shows all\n";
+    }
+    add_field("note", c.note);
+    if (!c.output.empty() && (style_.verbose || is_failure(c))) add_output(c);
+  }
+
+  void add_field(const std::string& name, const std::string& text) {
+    if (!text.empty()) out_ += "    " + paint("2", pad(name, 10)) + text + "\n";
+  }
+
+  void add_finding(const FindingReport& report) {
+    const Finding& f = report.finding;
+    add_field("", f.where);
+    add_field("rule", paint("1", f.rule) + (f.meaning.empty() ? "" : ": " + f.meaning));
+    add_field("at", f.element);
+    add_field("expected", f.expected);
+    add_field("yours", f.actual);
+    add_field("look at", f.look_at);
+    for (const CodePlace& place : report.places) {
+      add_field(&place == report.places.data() ? "in" : "called by",
+                place.file + ":" + std::to_string(place.line) + ", " + place.function);
+      add_field("", place.code.empty() ? "" : "  | " + place.code);
+    }
+  }
+
+  void add_output(const CaseReport& c) {
+    add_field("printed", plural(c.output_bytes, "byte") +
+                             (c.output_bytes > c.output.size() ? ", cut off here:" : ":"));
+    std::size_t shown = 0;
+    for (const std::string& line : split_lines(c.output)) {
+      if (++shown > kMostMessageLines && !style_.verbose) break;
+      out_ += "      > " + line + "\n";
+    }
+  }
+
+  const Report& report_;
+  const TerminalStyle& style_;
+  std::string out_;
+};
+
+}  // namespace
+
+std::string to_terminal(const Report& report, const TerminalStyle& style) {
+  return TerminalReport(report, style).render();
+}
+
+}  // namespace meshgrade
