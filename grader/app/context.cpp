@@ -7,14 +7,18 @@
 
 namespace meshgrade {
 
+std::filesystem::path source_folder() {
+  return MESHGRADE_SOURCE_DIR;
+}
+
 Home find_home() {
-  const std::filesystem::path source = MESHGRADE_SOURCE_DIR;
+  const std::filesystem::path source = source_folder();
   return {source / "include", MESHGRADE_KIT_DIR, source / "meshes", source / "docs",
           MESHGRADE_COMPILER};
 }
 
 std::filesystem::path standard_assignment() {
-  return std::filesystem::path(MESHGRADE_SOURCE_DIR) / "grader" / "assignment.toml";
+  return source_folder() / "grader" / "assignment.toml";
 }
 
 void write_file_safely(const std::filesystem::path& file, const std::string& text) {

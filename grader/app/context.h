@@ -10,6 +10,9 @@ namespace meshgrade {
 /// Where this program's own files are: next to the sources it was built from.
 Home find_home();
 
+/// The folder that this program was built from.
+std::filesystem::path source_folder();
+
 /// The assignment that is taken when none is named.
 std::filesystem::path standard_assignment();
 

@@ -3,6 +3,9 @@
 #include <iostream>
 
 #include "grader/app/check_command.h"
+#include "grader/app/dev_check_command.h"
+#include "grader/app/mesh_info_command.h"
+#include "grader/app/subdivide_command.h"
 #include "grader/base/errors.h"
 
 namespace {
@@ -17,7 +20,12 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string("meshgrade ") + MESHGRADE_VERSION);
   meshgrade::add_check_command(app, exit_code);
-  app.footer("`meshgrade COMMAND --help` explains a command, with examples.");
+  meshgrade::add_subdivide_command(app, exit_code);
+  meshgrade::add_mesh_info_command(app, exit_code);
+  meshgrade::add_dev_check_command(app, exit_code);
+  app.footer(
+      "`meshgrade COMMAND --help` explains a command, with examples.\n"
+      "The script ./meshgrade also knows self-test and bench.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
