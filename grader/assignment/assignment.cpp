@@ -36,7 +36,7 @@ class Section {
 
   double require_at_least(const std::string& key, double least) {
     const double value = require<double>(key);
-    if (!(value >= least)) {
+    if (!(value >= least) || !std::isfinite(value)) {
       fail(*table_.get(key), full(key) + " must be a number of at least " +
                                  std::to_string(static_cast<int>(least)));
     }

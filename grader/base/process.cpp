@@ -5,9 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <thread>
 #include <utility>
 
 #include "grader/base/errors.h"
@@ -15,7 +17,7 @@
 namespace meshgrade {
 namespace {
 
-constexpr int kCannotStart = 127;
+using Clock = std::chrono::steady_clock;
 
 [[noreturn]] void fail(const std::string& what) {
   throw GraderError(what + ": " + std::strerror(errno));
@@ -35,7 +37,8 @@ Pipe make_pipe() {
 }
 
 /// Runs in the new process, between fork and exec: only async-signal-safe calls.
-[[noreturn]] void become(const Command& command, char* const* argv, int input, int output) {
+[[noreturn]] void become(const Command& command, char* const* argv, int input, int output,
+                         int failure) {
   ::setpgid(0, 0);
   // Out of the way first, so that no descriptor is overwritten before it has been copied.
   constexpr int kSafe = 100;
@@ -45,16 +48,22 @@ Pipe make_pipe() {
   for (int i = 0; i < shared; ++i) {
     ::dup2(command.shared_files[static_cast<std::size_t>(i)], kSafe + 2 + i);
   }
+  ::dup2(failure, kSafe + 2 + shared);
   ::dup2(kSafe, STDIN_FILENO);
   ::dup2(kSafe + 1, STDOUT_FILENO);
   ::dup2(kSafe + 1, STDERR_FILENO);
   for (int i = 0; i < shared; ++i)
     ::dup2(kSafe + 2 + i, 3 + i);
-  for (int fd = 3 + shared; fd < kSafe + 2 + shared; ++fd)
-    ::close(fd);
-  if (!command.folder.empty() && ::chdir(command.folder.c_str()) != 0) ::_exit(kCannotStart);
-  ::execvp(argv[0], argv);
-  ::_exit(kCannotStart);
+  const int last = 3 + shared;
+  ::dup2(kSafe + 2 + shared, last);
+  ::fcntl(last, F_SETFD, FD_CLOEXEC);
+  ::close_range(static_cast<unsigned>(last) + 1, ~0U, 0);
+  if (command.folder.empty() || ::chdir(command.folder.c_str()) == 0) {
+    ::execvp(argv[0], argv);
+  }
+  // An exit status would not do: the program itself may end with any.
+  const char failed = 1;
+  ::_exit(static_cast<int>(::write(last, &failed, 1)));
 }
 
 class Running {
@@ -68,10 +77,7 @@ class Running {
   ProcessResult wait() {
     while (read_some()) {
     }
-    if (result_.timed_out) ::kill(-child_, SIGKILL);
-    int status = 0;
-    while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-    }
+    const int status = wait_for_end();
     ::kill(-child_, SIGKILL);  // what it may have left behind
     if (WIFSIGNALED(status)) result_.signal = WTERMSIG(status);
     if (WIFEXITED(status)) result_.status = WEXITSTATUS(status);
@@ -79,7 +85,19 @@ class Running {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
+  /// A program may go on for as long as it likes after it has closed its output.
+  int wait_for_end() {
+    int status = 0;
+    auto pause = std::chrono::microseconds(50);
+    for (;;) {
+      result_.timed_out = result_.timed_out || Clock::now() >= deadline_;
+      if (result_.timed_out) ::kill(-child_, SIGKILL);
+      const pid_t ended = ::waitpid(child_, &status, result_.timed_out ? 0 : WNOHANG);
+      if (ended == child_ || (ended < 0 && errno != EINTR)) return status;
+      std::this_thread::sleep_for(pause);
+      pause = std::min(2 * pause, std::chrono::microseconds(5000));
+    }
+  }
 
   /// Waits for output. @return false when the program has ended or its time is up
   bool read_some() {
@@ -153,12 +171,18 @@ ProcessResult run_process(const Command& command) {
     argv.push_back(const_cast<char*>(argument.c_str()));
   }
   argv.push_back(nullptr);
+  Pipe failure = make_pipe();
   const pid_t child = ::fork();
   if (child < 0) fail("cannot start " + command.arguments.at(0));
-  if (child == 0) become(command, argv.data(), input.get(), output.write_end.get());
+  if (child == 0) {
+    become(command, argv.data(), input.get(), output.write_end.get(), failure.write_end.get());
+  }
   output.write_end = FileDescriptor();
+  failure.write_end = FileDescriptor();
+  char failed = 0;
+  const bool started = ::read(failure.read_end.get(), &failed, 1) <= 0;
   ProcessResult result = Running(child, std::move(output.read_end), command).wait();
-  if (result.status == kCannotStart && result.output.empty()) {
+  if (!started) {
     throw GraderError("cannot run " + command.arguments.at(0) + ": is it installed?");
   }
   return result;

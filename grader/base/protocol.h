@@ -92,6 +92,9 @@ enum class FrameKind : std::uint32_t { kStep = 0, kEnd = 1 };
 /// The most that is kept of what a student's code prints in one case.
 constexpr std::size_t kKeptOutputBytes = 4096;
 
+/// The most return addresses that are kept of a call stack.
+constexpr std::size_t kMostStackFrames = 64;
+
 /// File descriptors that the worker is started with.
 constexpr int kTaskFile = 3;
 constexpr int kResultFile = 4;

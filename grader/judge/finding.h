@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/judge/pointer_diff.h"
 #include "grader/run/outcome.h"
 
 namespace meshgrade {
@@ -33,6 +34,7 @@ struct Finding {
   std::string actual;
   std::string look_at;            ///< pointer, function or idea to look at first
   std::vector<StackFrame> stack;  ///< the student's frames, innermost first
+  PointerDiff pointers;           ///< all pointers around a flipped or split edge, or empty
 };
 
 /// What the judge says about a case.

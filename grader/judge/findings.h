@@ -14,8 +14,15 @@ Finding to_finding(const RuleBreak& rule_break, const std::string& where);
 inline Finding make_finding(std::string rule, std::string meaning, std::string where,
                             std::string element, std::string expected, std::string actual,
                             std::string look_at) {
-  return {std::move(rule),     std::move(meaning), std::move(where),   std::move(element),
-          std::move(expected), std::move(actual),  std::move(look_at), {}};
+  return {std::move(rule),
+          std::move(meaning),
+          std::move(where),
+          std::move(element),
+          std::move(expected),
+          std::move(actual),
+          std::move(look_at),
+          {},
+          {}};
 }
 
 /// "1.2e-02 of the mesh's diagonal (allowed: 1e-05)"

@@ -96,8 +96,15 @@ void judge_fault(const ExerciseJudge& judge, const Outcome& outcome, CaseJudgeme
   const std::string what = endless ? "the code used handles more often than any good solution: "
                                      "it was stopped"
                                    : "a " + outcome.subject + " " + meshedit::describe(kind);
-  judgement.findings.push_back({words.rule, words.meaning, "", outcome.subject, words.meaning,
-                                what, words.advice, outcome.stack});
+  judgement.findings.push_back({words.rule,
+                                words.meaning,
+                                "",
+                                outcome.subject,
+                                words.meaning,
+                                what,
+                                words.advice,
+                                outcome.stack,
+                                {}});
 }
 
 /// All endings but kDone and kFault.
@@ -151,6 +158,7 @@ void judge_steps(const ExerciseJudge& judge, const JudgeTask& task, Conventions&
                                   "a well-formed result",
                                   std::string("a result that cannot be read: ") + error.what(),
                                   "does the code write over memory that is not its own?",
+                                  {},
                                   {}});
   }
 }
@@ -181,6 +189,12 @@ const char* verdict_name(Verdict verdict) {
       return "grader error";
   }
   return "grader error";
+}
+
+void require_all_steps(const Outcome& outcome, std::size_t asked) {
+  if (outcome.ending == Ending::kDone && outcome.steps.size() < asked) {
+    throw WireError("too few steps");
+  }
 }
 
 ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric) {

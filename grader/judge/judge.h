@@ -35,6 +35,10 @@ struct ExerciseJudge {
                       CaseJudgement& judgement);
 };
 
+/// Makes sure of a claim that all steps are done. Call it when no step is wrong.
+/// @throws WireError if the outcome is done with fewer steps than were asked for
+void require_all_steps(const Outcome& outcome, std::size_t asked);
+
 /// The judge of an exercise, set up for the options of its rubric.
 /// @throws UserError if an option is unknown or has a value that does not exist
 ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric);

@@ -10,6 +10,7 @@
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/operation_model.h"
+#include "grader/judge/pointer_diff.h"
 #include "grader/judge/surface_match.h"
 #include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
@@ -170,9 +171,11 @@ class StepJudge {
     MeshDump expected = before_;
     model_flip(expected, edge_);
     if (!keeps_rules(doubled) || !has_counts(expected) ||
-        !require_surface(expected, kUnsetRef) || !keeps_positions()) {
+        !require_surface(expected, kUnsetRef)) {
+      explain(expected, kUnsetRef);
       return;
     }
+    if (!keeps_positions()) return;
     if (step_.returned != edge_) {
       report("returned", "flipEdge returns the edge that it was given", edge_name(edge_),
              "the edge " + edge_name(edge_) + " is returned",
@@ -185,13 +188,18 @@ class StepJudge {
     MeshDump expected = before_;
     const Ref m = model_split(expected, edge_);
     if (!keeps_rules(false) || !has_counts(expected) || !require_surface(expected, edge_)) {
-      if (may_refuse && !judgement_.findings.empty()) {
+      explain(expected, m);
+      if (may_refuse) {
         judgement_.findings[0].look_at +=
-            "; a boundary edge may also be refused: check for it first, on both sides";
+            "; or refuse boundary edges: check for one first, on both sides";
       }
       return;
     }
     const Ref mine = match_->vertex[m];
+    if (!judge_anchor(mine)) {
+      explain(expected, m);
+      return;
+    }
     judge_new_vertex(expected, m, mine);
     if (judgement_.findings.empty()) keeps_positions();
   }
@@ -203,19 +211,21 @@ class StepJudge {
              "returned: " + vertex_name(step_.returned), "the return statement of splitEdge");
       return;
     }
+    judge_midpoint(expected.vertices[m].position, mine);
+  }
+
+  bool judge_anchor(Ref mine) {
     const Ref h = after_.vertices[mine].halfedge;
     const Ref end = after_.halfedges[after_.halfedges[h].twin].vertex;
-    if (end != diamond_.b && end != diamond_.c) {
-      report("along-edge", "the half-edge of the new vertex lies along the edge that was split",
-             vertex_name(mine),
-             vertex_name(mine) + ".halfedge leads to " + vertex_name(diamond_.b) + " or " +
-                 vertex_name(diamond_.c),
-             vertex_name(mine) + ".halfedge is " + halfedge_name(h) + ", which leads to " +
-                 vertex_name(end),
-             vertex_name(mine) + ".halfedge");
-      return;
-    }
-    judge_midpoint(expected.vertices[m].position, mine);
+    if (end == diamond_.b || end == diamond_.c) return true;
+    report("along-edge", "the half-edge of the new vertex lies along the edge that was split",
+           vertex_name(mine),
+           vertex_name(mine) + ".halfedge leads to " + vertex_name(diamond_.b) + " or " +
+               vertex_name(diamond_.c),
+           vertex_name(mine) + ".halfedge is " + halfedge_name(h) + ", which leads to " +
+               vertex_name(end),
+           vertex_name(mine) + ".halfedge");
+    return false;
   }
 
   void judge_midpoint(const Point3& expected, Ref mine) {
@@ -230,6 +240,26 @@ class StepJudge {
                ": " + point_text(expected),
            point_text(actual) + ", off by " + error_text(error, size, task_.tolerance),
            vertex_name(mine) + ".position");
+  }
+
+  /// Puts what is wrong pointer by pointer in front of the rules that are broken by it.
+  void explain(const MeshDump& expected, Ref split_vertex) {
+    PointerDiff diff = diff_pointers(before_, after_, expected, edge_, split_vertex);
+    const bool counts_differ = diff.missing + diff.surplus > 0;
+    if (counts_differ && judgement_.findings[0].rule != "counts") {
+      has_counts(expected);
+      std::rotate(judgement_.findings.begin(), judgement_.findings.end() - 1,
+                  judgement_.findings.end());
+    } else if (!counts_differ && !diff.wrong.empty()) {
+      const WrongPointer& first = diff.wrong[0];
+      Finding lead = judgement_.findings[0];
+      lead.element = first.role.empty() ? first.name : first.name + ", of " + first.role;
+      lead.expected = first.name + " is " + first.expected;
+      lead.actual = first.name + (first.was_set ? " was set to " : " is still ") + first.actual;
+      lead.look_at = first.name;
+      judgement_.findings.insert(judgement_.findings.begin(), std::move(lead));
+    }
+    judgement_.findings[0].pointers = std::move(diff);
   }
 
   /// All mesh rules; `doubled` allows what a flip onto an edge that exists cannot avoid.
@@ -367,6 +397,7 @@ class StepJudge {
            edge_text(), "the mesh is the same as before", "the mesh was changed",
            "the check for a boundary at the start of flipEdge: either of the two half-edges "
            "may be the one outside");
+    judgement_.findings[0].pointers = diff_pointers(before_, after_, before_, edge_, kUnsetRef);
     keeps_rules(false);
   }
 

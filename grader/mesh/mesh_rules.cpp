@@ -198,19 +198,23 @@ class RuleChecker {
     const std::vector<std::size_t> sides = count_sides();
     const auto check_loop = [&](Ref f, const FaceRecord& record) {
       if (record.live == 0 || !live_halfedge(record.halfedge)) return;
+      // A limit by the face's own size keeps all walks together linear.
       const std::size_t named = sides[face_index(f)];
+      const std::size_t limit = named + 64;
       std::size_t walked = 0;
       Ref h = record.halfedge;
       do {
         ++walked;
         h = at(h).next;
-      } while (live_halfedge(h) && h != record.halfedge && walked <= n_);
+      } while (live_halfedge(h) && h != record.halfedge && walked <= limit);
       const std::string name = face_name(f);
       if (h != record.halfedge) {
         report("face-loop", name,
                "walking next from " + name + ".halfedge (" + halfedge_name(record.halfedge) +
                    ") comes back to it",
-               "it never does", name + ".halfedge, and the .next around " + name);
+               walked > limit ? "it does not, after " + times(walked, "step")
+                              : "it leads to no half-edge",
+               name + ".halfedge, and the .next around " + name);
       } else if (walked != named || (named != 3 && (f & kBoundaryBit) == 0)) {
         report_loop(f, record.halfedge, walked, named);
       }

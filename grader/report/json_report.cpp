@@ -7,6 +7,39 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json to_value(const PointerTable& table) {
+  Json value{{"kind", table.kind}, {"columns", table.columns}};
+  value["rows"] = Json::array();
+  for (const PointerRow& row : table.rows) {
+    Json cells = Json::array();
+    for (const PointerCell& cell : row.cells) {
+      cells.push_back({{"before", cell.before},
+                       {"yours", cell.yours},
+                       {"expected", cell.expected},
+                       {"wrong", cell.wrong}});
+    }
+    value["rows"].push_back(
+        {{"element", row.element}, {"role", row.role}, {"cells", std::move(cells)}});
+  }
+  return value;
+}
+
+Json to_value(const PointerDiff& diff) {
+  Json value{{"missing", diff.missing}, {"surplus", diff.surplus}};
+  value["wrong"] = Json::array();
+  for (const WrongPointer& pointer : diff.wrong) {
+    value["wrong"].push_back({{"pointer", pointer.name},
+                              {"role", pointer.role},
+                              {"expected", pointer.expected},
+                              {"actual", pointer.actual},
+                              {"was_set", pointer.was_set}});
+  }
+  value["tables"] = Json::array();
+  for (const PointerTable& table : diff.tables)
+    value["tables"].push_back(to_value(table));
+  return value;
+}
+
 Json to_value(const FindingReport& report) {
   const Finding& finding = report.finding;
   Json value{{"rule", finding.rule},         {"meaning", finding.meaning},
@@ -20,6 +53,7 @@ Json to_value(const FindingReport& report) {
                               {"line", place.line},
                               {"code", place.code}});
   }
+  if (!finding.pointers.tables.empty()) value["pointers"] = to_value(finding.pointers);
   return value;
 }
 

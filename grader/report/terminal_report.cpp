@@ -178,6 +178,57 @@ class TerminalReport {
                 place.file + ":" + std::to_string(place.line) + ", " + place.function);
       add_field("", place.code.empty() ? "" : "  | " + place.code);
     }
+    add_pointers(f.pointers);
+  }
+
+  void add_pointers(const PointerDiff& diff) {
+    if (diff.tables.empty()) return;
+    std::vector<std::string> wrong;
+    std::vector<std::string> not_set;
+    for (const WrongPointer& pointer : diff.wrong) {
+      const std::string text = pad(pointer.name, 16) + "must be " + pointer.expected;
+      if (pointer.was_set) {
+        wrong.push_back(text + ", you set " + pointer.actual);
+      } else {
+        not_set.push_back(text + (pointer.actual.empty() ? "" : ", still " + pointer.actual));
+      }
+    }
+    add_list("set, but wrong:", wrong);
+    add_list("not set, but must be:", not_set);
+    for (const PointerTable& table : diff.tables)
+      add_pointer_table(table);
+  }
+
+  void add_list(const std::string& title, const std::vector<std::string>& lines) {
+    if (lines.empty()) return;
+    out_ += "\n    " + paint("1", title) + "\n";
+    for (const std::string& line : lines)
+      out_ += "      " + line + "\n";
+  }
+
+  /// A table of before, yours and expected, one line for each pointer. Rows without a mistake
+  /// are left out unless all is asked for.
+  void add_pointer_table(const PointerTable& table) {
+    std::string lines;
+    for (const PointerRow& row : table.rows) {
+      for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        const PointerCell& cell = row.cells[i];
+        const bool row_wrong = std::any_of(row.cells.begin(), row.cells.end(),
+                                           [](const PointerCell& c) { return c.wrong; });
+        if (!row_wrong && !style_.verbose) continue;
+        const std::string name = (row.element.empty() ? "-" : row.element) +
+                                 (row.role.empty() ? "" : " (" + row.role + ")");
+        lines += (cell.wrong ? "    > " : "      ") + pad(i == 0 ? name : "", 14) +
+                 pad(table.columns[i], 10) + pad(cell.before, 12) +
+                 (cell.wrong ? paint("31", pad(cell.yours, 14)) : pad(cell.yours, 14)) +
+                 cell.expected + "\n";
+      }
+    }
+    if (lines.empty()) return;
+    out_ += "\n      " +
+            paint("2", pad(table.kind, 14) + pad("pointer", 10) + pad("before", 12) +
+                           pad("yours", 14) + "expected") +
+            "\n" + lines;
   }
 
   void add_output(const CaseReport& c) {

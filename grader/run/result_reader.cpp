@@ -20,6 +20,9 @@ void check_end(const EndFrame& end) {
   if (static_cast<std::uint32_t>(end.ending) > kLastEnding) {
     throw WireError("an ending that does not exist");
   }
+  if (end.stack.size() > kMostStackFrames || end.output.size() > kKeptOutputBytes) {
+    throw WireError("more than the worker ever keeps");
+  }
 }
 
 }  // namespace

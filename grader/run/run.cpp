@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <set>
 
 #include "grader/base/errors.h"
@@ -53,12 +54,18 @@ TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
   return list;
 }
 
+/// The text of an exception goes where one line is expected.
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return printable(text.substr(0, 400));
+}
+
 Outcome to_outcome(TaskResult task) {
   Outcome outcome;
   outcome.ending = task.end.ending;
   outcome.fault_kind = task.end.fault_kind;
   outcome.code = task.end.code;
-  outcome.subject = printable(task.end.subject.substr(0, 400));
+  outcome.subject = one_line(std::move(task.end.subject));
   outcome.steps = std::move(task.steps);
   outcome.interrupted = std::move(task.end.interrupted);
   outcome.output = printable(task.end.output);

@@ -123,8 +123,9 @@ Submission find_submission(const fs::path& path, const SubmissionRules& rules) {
   submission.name = fs::weakly_canonical(path, error).filename().string();
   if (fs::is_directory(status)) {
     submission.folder = unwrap(path);
-    for (const fs::path& file : list(submission.folder))
-      add_file(file, rules, submission);
+    for (const fs::path& file : list(submission.folder)) {
+      if (!is_hidden(file)) add_file(file, rules, submission);
+    }
   } else {
     submission.folder = path.parent_path();
     add_file(path, rules, submission);

@@ -98,6 +98,7 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
     if (!judge.judge_step(i, given, step)) return;
     given = step.result;
   }
+  require_all_steps(task.outcome, input.steps);
   if (given.size() == 1 && input.points.size() > 1) judge.judge_curve_point(step);
 }
 

@@ -104,6 +104,7 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
     judge_result(task, input, i, judgement);
     if (!judgement.findings.empty()) return;
   }
+  require_all_steps(task.outcome, input.parameters.size());
 }
 
 }  // namespace

@@ -114,8 +114,11 @@ class LevelsJudge {
         return;
       }
       meshes = std::move(level.by_variant);
+      // Weights that this level rules out must not come back at the next one.
+      std::erase_if(meshes, [&](const auto& m) { return conventions_.count(m.first) == 0; });
       old_to_mine = match_;
     }
+    require_all_steps(task_.outcome, input.levels);
   }
 
  private:

@@ -53,7 +53,10 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
   for (const std::string& step : task.outcome.steps)
     actual.push_back(from_wire<Point3>(step));
   const WorstPoint worst = worst_point(expected, actual);
-  if (worst.error <= task.tolerance) return;
+  if (worst.error <= task.tolerance) {
+    require_all_steps(task.outcome, expected.size());
+    return;
+  }
   judgement.verdict = Verdict::kFailed;
   const Point3& normal = actual[worst.index];
   const double norm = length(normal);

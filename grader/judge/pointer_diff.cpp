@@ -1,0 +1,299 @@
+#include "grader/judge/pointer_diff.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "grader/base/text.h"
+#include "grader/judge/correspondence.h"
+
+namespace meshgrade {
+namespace {
+
+struct HalfedgePointer {
+  const char* name;
+  Ref HalfedgeRecord::*member;
+};
+
+class Differ {
+ public:
+  Differ(const MeshDump& before, const MeshDump& after, const MeshDump& expected, Ref edge,
+         Ref split_vertex)
+      : before_(before),
+        after_(after),
+        expected_(expected),
+        split_vertex_(split_vertex),
+        diamond_(diamond_of(before, edge)),
+        match_(find_correspondence(before, after, expected, edge, split_vertex != kUnsetRef)) {
+    letters_ = {{diamond_.a, "a"},
+                {diamond_.b, "b"},
+                {diamond_.c, "c"},
+                {diamond_.d, "d"},
+                {split_vertex, "m"}};
+    letters_.erase(kUnsetRef);
+    for (Ref h = 0; h < match_.halfedges.size(); ++h) {
+      if (match_.halfedges[h] != kUnsetRef) stands_for_[match_.halfedges[h]] = h;
+    }
+  }
+
+  PointerDiff diff() {
+    add_halfedges();
+    add_vertices();
+    add_edges();
+    add_faces();
+    count_elements(expected_.halfedges.size(), match_.halfedges, after_.halfedges);
+    count_elements(expected_.vertices.size(), match_.vertices, after_.vertices);
+    count_elements(expected_.edges.size(), match_.edges, after_.edges);
+    count_elements(expected_.faces.size(), match_.faces, after_.faces);
+    return std::move(diff_);
+  }
+
+ private:
+  // ---- names -----------------------------------------------------------------------------
+
+  std::string letter(Ref vertex) const {
+    const auto found = letters_.find(vertex);
+    return found == letters_.end() ? "" : found->second;
+  }
+
+  /// "mc" for a half-edge between named corners, nothing for others.
+  static std::string join_letters(const std::string& from, const std::string& to) {
+    return from.empty() || to.empty() ? "" : from + to;
+  }
+
+  std::string halfedge_role(Ref expected) const {
+    const HalfedgeRecord& h = expected_.halfedges[expected];
+    return join_letters(letter(h.vertex), letter(expected_.halfedges[h.twin].vertex));
+  }
+
+  std::string old_halfedge_role(Ref h) const {
+    const HalfedgeRecord& record = before_.halfedges[h];
+    return join_letters(letter(record.vertex), letter(before_.halfedges[record.twin].vertex));
+  }
+
+  static std::string with_role(const std::string& name, const std::string& role) {
+    return role.empty() ? name : name + " (" + role + ")";
+  }
+
+  /// A pointer to a half-edge as the student has it, named by what it stands for.
+  std::string halfedge_text(Ref actual) const {
+    const auto found = stands_for_.find(actual);
+    return with_role(halfedge_name(actual),
+                     found == stands_for_.end() ? "" : halfedge_role(found->second));
+  }
+
+  /// An expected half-edge, named as the student's; by its role if the student has none.
+  std::string wanted_halfedge_text(Ref expected) const {
+    const Ref mine = match_.halfedges[expected];
+    if (mine == kUnsetRef) return "a new half-edge (" + halfedge_role(expected) + ")";
+    return with_role(halfedge_name(mine), halfedge_role(expected));
+  }
+
+  std::string vertex_text(Ref actual) const {
+    for (Ref v = 0; v < match_.vertices.size(); ++v) {
+      if (match_.vertices[v] == actual) return with_role(vertex_name(actual), letter(v));
+    }
+    return vertex_name(actual);
+  }
+
+  std::string old_halfedge_text(Ref h) const {
+    return with_role(halfedge_name(h), is_plain(h) ? old_halfedge_role(h) : "");
+  }
+
+  // ---- tables ----------------------------------------------------------------------------
+
+  void begin_table(const char* kind, std::vector<std::string> columns) {
+    diff_.tables.push_back({kind, std::move(columns), {}});
+  }
+
+  PointerTable& table() { return diff_.tables.back(); }
+
+  void add_cell(PointerRow& row, PointerCell cell, bool was_set) {
+    if (cell.wrong) {
+      const std::string& column = table().columns[row.cells.size()];
+      const std::string owner =
+          row.element.empty() ? "(not created: " + row.role + ")" : row.element;
+      diff_.wrong.push_back(
+          {owner + "." + column, row.role, cell.expected, cell.yours, was_set});
+    }
+    row.cells.push_back(std::move(cell));
+  }
+
+  void keep_row(PointerRow row, bool near) {
+    const bool wrong = std::any_of(row.cells.begin(), row.cells.end(),
+                                   [](const PointerCell& cell) { return cell.wrong; });
+    if (near || wrong) table().rows.push_back(std::move(row));
+  }
+
+  /// Lies in one of the faces of the diamond, or took part in the operation.
+  bool is_near(Ref h) const {
+    if (h >= before_.halfedges.size()) return true;
+    return !halfedge_role(h).empty() && face_role(expected_.halfedges[h].face) != "";
+  }
+
+  /// "a b m" for a triangle between named corners.
+  std::string face_role(Ref f) const {
+    if ((f & kBoundaryBit) != 0) return "";
+    const HalfedgeRecord& x = expected_.halfedges[expected_.faces[f].halfedge];
+    const HalfedgeRecord& y = expected_.halfedges[x.next];
+    const std::string p = letter(x.vertex);
+    const std::string q = letter(y.vertex);
+    const std::string r = letter(expected_.halfedges[y.next].vertex);
+    return p.empty() || q.empty() || r.empty() ? "" : p + q + r;
+  }
+
+  void add_halfedges() {
+    begin_table("half-edges", {"next", "twin", "vertex", "edge", "face"});
+    for (Ref h = 0; h < expected_.halfedges.size(); ++h) {
+      if (expected_.halfedges[h].live != 0) add_halfedge(h);
+    }
+  }
+
+  void add_halfedge(Ref h) {
+    const HalfedgeRecord& want = expected_.halfedges[h];
+    const Ref mine = match_.halfedges[h];
+    const bool exists = mine < after_.halfedges.size();
+    const HalfedgeRecord none{kUnsetRef, kUnsetRef, kUnsetRef, kUnsetRef, kUnsetRef, 0};
+    const HalfedgeRecord& have = exists ? after_.halfedges[mine] : none;
+    const bool old = exists && mine < before_.halfedges.size();
+    const HalfedgeRecord& was = old ? before_.halfedges[mine] : none;
+    PointerRow row{exists ? halfedge_name(mine) : "", halfedge_role(h), {}};
+    const auto cell = [&](Ref was_ref, Ref have_ref, Ref want_ref, const std::string& was_text,
+                          const std::string& have_text, const std::string& want_text) {
+      const bool wrong = !exists || want_ref == kUnsetRef || have_ref != want_ref;
+      add_cell(row, {old ? was_text : "", exists ? have_text : "", want_text, wrong},
+               exists && have_ref != was_ref);
+    };
+    const Ref next = match_.halfedges[want.next];
+    cell(was.next, have.next, next, old_halfedge_text(was.next), halfedge_text(have.next),
+         wanted_halfedge_text(want.next));
+    const Ref twin = match_.halfedges[want.twin];
+    cell(was.twin, have.twin, twin, old_halfedge_text(was.twin), halfedge_text(have.twin),
+         wanted_halfedge_text(want.twin));
+    const Ref vertex = match_.vertices[want.vertex];
+    cell(was.vertex, have.vertex, vertex,
+         with_role(vertex_name(was.vertex), letter(was.vertex)), vertex_text(have.vertex),
+         wanted_text(vertex, vertex_name, "vertex", letter(want.vertex)));
+    const Ref edge = match_.edges[want.edge];
+    cell(was.edge, have.edge, edge, edge_name(was.edge), edge_name(have.edge),
+         wanted_text(edge, edge_name, "edge", halfedge_role(h)));
+    const Ref face = match_.face(want.face);
+    cell(was.face, have.face, face, face_name(was.face), face_name(have.face),
+         wanted_text(face, face_name, "face", face_role(want.face)));
+    keep_row(std::move(row), is_near(h));
+  }
+
+  template <class NameOf>
+  static std::string wanted_text(Ref mine, NameOf name_of, const char* kind,
+                                 const std::string& role) {
+    if (mine == kUnsetRef) return std::string("a new ") + kind + " (" + role + ")";
+    return with_role(name_of(mine), role);
+  }
+
+  /// A cell for the anchor of an element: right if it is any of the half-edges in `legal`,
+  /// which are expected ones.
+  template <class Records>
+  void add_anchor(const Records& before, const Records& after, Ref mine,
+                  const std::string& name, const std::string& role,
+                  const std::vector<Ref>& legal, bool near) {
+    const bool exists = mine < after.size();
+    const bool old = exists && mine < before.size();
+    const Ref have = exists ? after[mine].halfedge : kUnsetRef;
+    const Ref was = old ? before[mine].halfedge : kUnsetRef;
+    const bool right = std::any_of(legal.begin(), legal.end(), [&](Ref h) {
+      return exists && match_.halfedges[h] == have && have != kUnsetRef;
+    });
+    std::vector<std::string> choices;
+    for (Ref h : legal) {
+      if (choices.size() < 3) choices.push_back(wanted_halfedge_text(h));
+    }
+    const std::string more = legal.size() > choices.size() ? ", ..." : "";
+    PointerRow row{exists ? name : "", role, {}};
+    add_cell(row,
+             {old ? old_halfedge_text(was) : "", exists ? halfedge_text(have) : "",
+              right ? halfedge_text(have) : join(choices, " or ") + more, !right},
+             exists && have != was);
+    keep_row(std::move(row), near);
+  }
+
+  /// All half-edges that leave a vertex; of the new vertex only those along the split edge.
+  std::vector<Ref> legal_anchors(Ref vertex) const {
+    std::vector<Ref> legal;
+    const Ref first = expected_.vertices[vertex].halfedge;
+    Ref h = first;
+    do {
+      const Ref twin = expected_.halfedges[h].twin;
+      const Ref end = expected_.halfedges[twin].vertex;
+      if (vertex != split_vertex_ || end == diamond_.b || end == diamond_.c) legal.push_back(h);
+      h = expected_.halfedges[twin].next;
+    } while (h != first);
+    // Named ones first: they are the ones that a message can show.
+    std::stable_partition(legal.begin(), legal.end(),
+                          [&](Ref g) { return !halfedge_role(g).empty(); });
+    return legal;
+  }
+
+  void add_vertices() {
+    begin_table("vertices", {"halfedge"});
+    for (Ref v = 0; v < expected_.vertices.size(); ++v) {
+      if (expected_.vertices[v].live == 0) continue;
+      const Ref mine = match_.vertices[v];
+      add_anchor(before_.vertices, after_.vertices, mine, vertex_name(mine), letter(v),
+                 legal_anchors(v), !letter(v).empty());
+    }
+  }
+
+  void add_edges() {
+    begin_table("edges", {"halfedge"});
+    for (Ref e = 0; e < expected_.edges.size(); ++e) {
+      if (expected_.edges[e].live == 0) continue;
+      const Ref h = expected_.edges[e].halfedge;
+      const Ref twin = expected_.halfedges[h].twin;
+      const Ref mine = match_.edges[e];
+      add_anchor(before_.edges, after_.edges, mine, edge_name(mine), halfedge_role(h),
+                 {h, twin}, is_near(h) || is_near(twin));
+    }
+  }
+
+  void add_faces() {
+    begin_table("faces", {"halfedge"});
+    for (Ref f = 0; f < expected_.faces.size(); ++f) {
+      if (expected_.faces[f].live == 0) continue;
+      const Ref h = expected_.faces[f].halfedge;
+      const Ref next = expected_.halfedges[h].next;
+      const Ref mine = match_.faces[f];
+      add_anchor(before_.faces, after_.faces, mine, face_name(mine), face_role(f),
+                 {h, next, expected_.halfedges[next].next}, !face_role(f).empty());
+    }
+  }
+
+  template <class Records>
+  void count_elements(std::size_t expected, const std::vector<Ref>& map,
+                      const Records& records) {
+    const auto live = static_cast<std::size_t>(std::count_if(
+        records.begin(), records.end(), [](const auto& r) { return r.live != 0; }));
+    const auto missing =
+        static_cast<std::size_t>(std::count(map.begin(), map.end(), kUnsetRef));
+    diff_.missing += missing;
+    if (live + missing > expected) diff_.surplus += live + missing - expected;
+  }
+
+  const MeshDump& before_;
+  const MeshDump& after_;
+  const MeshDump& expected_;
+  Ref split_vertex_;
+  Diamond diamond_;
+  Correspondence match_;
+  std::map<Ref, std::string> letters_;
+  std::map<Ref, Ref> stands_for_;  // the student's half-edge -> the expected one
+  PointerDiff diff_;
+};
+
+}  // namespace
+
+PointerDiff diff_pointers(const MeshDump& before, const MeshDump& after,
+                          const MeshDump& expected, Ref edge, Ref split_vertex) {
+  return Differ(before, after, expected, edge, split_vertex).diff();
+}
+
+}  // namespace meshgrade
