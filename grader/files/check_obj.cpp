@@ -46,10 +46,9 @@ void check_vertex(TextScanner& scanner, CheckedInput& input) {
   input.bytes += 'v';
   Point3 point{};
   for (double& coordinate : point) {
-    TextScanner ahead = scanner;
     coordinate = scanner.next_number("a coordinate");
     input.bytes += ' ';
-    input.bytes += ahead.next_word();
+    input.bytes += scanner.last_word();
   }
   input.bytes += '\n';
   input.exact_positions.push_back(point);

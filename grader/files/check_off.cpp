@@ -21,12 +21,14 @@ void check_header(TextScanner& scanner) {
 
 void check_vertex(TextScanner& scanner, CheckedInput& input) {
   scanner.require_line("vertex v" + std::to_string(input.exact_positions.size()));
-  TextScanner ahead = scanner;
-  input.exact_positions.push_back(scanner.next_point("a coordinate"));
-  for (int axis = 0; axis < 3; ++axis) {
-    input.bytes += ahead.next_word();
-    input.bytes += axis < 2 ? ' ' : '\n';
+  Point3 point{};
+  for (double& coordinate : point) {
+    coordinate = scanner.next_number("a coordinate");
+    input.bytes += scanner.last_word();
+    input.bytes += ' ';
   }
+  input.bytes.back() = '\n';
+  input.exact_positions.push_back(point);
 }
 
 void check_face(TextScanner& scanner, std::size_t face, CheckedInput& input) {

@@ -126,11 +126,7 @@ class TextBody : public Body {
   explicit TextBody(const TextScanner& scanner) : scanner_(scanner) {}
 
   double next(const Scalar& type) override {
-    for (;;) {
-      TextScanner ahead = scanner_;
-      if (!ahead.next_word().empty()) break;
-      scanner_.require_line("more numbers");
-    }
+    if (!scanner_.has_word()) scanner_.require_line("more numbers");
     if (type.is_float) return scanner_.next_number("a coordinate");
     return static_cast<double>(scanner_.next_integer("a whole number"));
   }

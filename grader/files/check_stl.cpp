@@ -83,10 +83,9 @@ void check_text_facet(TextScanner& scanner, CheckedInput& input) {
     if (scanner.next_word() != "vertex") scanner.refuse("a line 'vertex x y z' should be here");
     input.bytes += "vertex";
     for (float& coordinate : corner) {
-      TextScanner ahead = scanner;
       coordinate = static_cast<float>(scanner.next_number("a coordinate"));
       input.bytes += ' ';
-      input.bytes += ahead.next_word();
+      input.bytes += scanner.last_word();
     }
     input.bytes += '\n';
   }

@@ -22,7 +22,10 @@ constexpr std::size_t kMostNodes = 100'000;
 
 class ColladaReader {
  public:
-  ColladaReader(const Path& file, const std::string& bytes) : file_(file), bytes_(bytes) {
+  ColladaReader(const Path& file, const std::string& bytes) : file_(file) {
+    for (std::size_t k = 0; k < bytes.size(); ++k) {
+      if (bytes[k] == '\n') line_ends_.push_back(k);
+    }
     const pugi::xml_parse_result parsed = document_.load_buffer(bytes.data(), bytes.size());
     if (!parsed) {
       refuse_file(file_, line_of(parsed.offset),
@@ -54,8 +57,9 @@ class ColladaReader {
   };
 
   std::string line_of(std::ptrdiff_t offset) const {
-    const auto at = std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(bytes_));
-    return std::to_string(1 + std::count(bytes_.begin(), bytes_.begin() + at, '\n'));
+    const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
+    const auto end = std::lower_bound(line_ends_.begin(), line_ends_.end(), at);
+    return std::to_string(1 + (end - line_ends_.begin()));
   }
   std::string line_of(const pugi::xml_node& node) const { return line_of(node.offset_debug()); }
 
@@ -198,13 +202,13 @@ class ColladaReader {
     for (const auto& input : primitive.children("input")) {
       n_inputs = std::max(n_inputs, count_attribute(input, "offset", 0) + 1);
     }
+    const std::string place = line_of(primitive);
     for (const auto& list : corner_lists(primitive, n_inputs)) {
       std::vector<std::uint32_t> polygon;
       for (std::size_t k = vertices.offset; k < list.size(); k += n_inputs) {
         polygon.push_back(list[k]);
       }
-      check_polygon(file_, line_of(primitive), mesh.polygons.size(), polygon,
-                    mesh.positions.size(), 0);
+      check_polygon(file_, place, mesh.polygons.size(), polygon, mesh.positions.size(), 0);
       mesh.polygons.push_back(std::move(polygon));
     }
   }
@@ -287,7 +291,7 @@ class ColladaReader {
   }
 
   const Path& file_;
-  const std::string& bytes_;
+  std::vector<std::size_t> line_ends_;
   pugi::xml_document document_;
   pugi::xml_node root_;
   std::unordered_map<std::string, pugi::xml_node> by_id_;

@@ -44,7 +44,7 @@ bool TextScanner::next_line() {
     rest_of_line_ = text_.substr(0, end);
     text_.remove_prefix(std::min(end + 1, text_.size()));
     rest_of_line_ = rest_of_line_.substr(0, rest_of_line_.find('#'));
-    if (rest_of_line_.find_first_not_of(kBlanks) != std::string_view::npos) return true;
+    if (has_word()) return true;
   }
   return false;
 }
@@ -59,9 +59,13 @@ std::string_view TextScanner::next_word() {
   const std::size_t begin =
       std::min(rest_of_line_.find_first_not_of(kBlanks), rest_of_line_.size());
   rest_of_line_.remove_prefix(begin);
-  const std::string_view word = rest_of_line_.substr(0, rest_of_line_.find_first_of(kBlanks));
-  rest_of_line_.remove_prefix(word.size());
-  return word;
+  last_word_ = rest_of_line_.substr(0, rest_of_line_.find_first_of(kBlanks));
+  rest_of_line_.remove_prefix(last_word_.size());
+  return last_word_;
+}
+
+bool TextScanner::has_word() const {
+  return rest_of_line_.find_first_not_of(kBlanks) != std::string_view::npos;
 }
 
 double TextScanner::next_number(const std::string& expected) {

@@ -25,6 +25,9 @@ class TextScanner {
 
   /// The next word of this line, empty at the end of the line.
   std::string_view next_word();
+  /// What next_word gave last, also on the way to a number.
+  std::string_view last_word() const { return last_word_; }
+  bool has_word() const;
   /// A finite number that single precision can hold, too.
   double next_number(const std::string& expected);
   Point3 next_point(const std::string& expected);
@@ -45,6 +48,7 @@ class TextScanner {
   std::string_view text_;
   std::size_t size_;
   std::string_view rest_of_line_;
+  std::string_view last_word_;
   std::size_t line_ = 0;
 };
 
