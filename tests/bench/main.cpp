@@ -1,0 +1,96 @@
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "grader/base/errors.h"
+#include "tests/bench/check_bench.h"
+#include "tests/bench/mesh_bench.h"
+
+namespace meshgrade::bench {
+namespace {
+
+struct Arguments {
+  bool quick = false;
+  std::string part = "all";
+  std::string json;
+  std::string program = MESHGRADE_PROGRAM;
+};
+
+void add_options(CLI::App& app, Arguments& arguments) {
+  app.add_flag("--quick", arguments.quick, "Small meshes and few rounds: half a minute");
+  app.add_option("--only", arguments.part, "Only this part")
+      ->check(CLI::IsMember({"all", "meshes", "check"}));
+  app.add_option("--json", arguments.json, "Write all samples and goals to this file as JSON");
+  app.add_option("--program", arguments.program, "The meshgrade program to time `check` of")
+      ->check(CLI::ExistingFile);
+  app.footer(
+      "Examples:\n"
+      "  meshgrade bench --quick\n"
+      "  meshgrade bench --only check\n"
+      "  meshgrade bench --json bench.json\n"
+      "Compare ratios, not times: the machine's other work is in the times. Goals that are\n"
+      "missed do not change the exit code.");
+}
+
+Results run(const Arguments& arguments) {
+  Results results;
+  std::vector<Goal> goals;
+  if (arguments.part != "check") {
+    keep_heap_warm();
+    results.tables = run_mesh_bench(arguments.quick);
+    goals = mesh_goals();
+  }
+  if (arguments.part != "meshes") {
+    results.tables.push_back(run_check_bench(arguments.program, arguments.quick));
+    for (const Goal& goal : check_goals())
+      goals.push_back(goal);
+  }
+  for (const Goal& goal : goals) {
+    if (const auto result = evaluate(goal, results.tables)) results.goals.push_back(*result);
+  }
+  return results;
+}
+
+void write_json(const std::string& file, const Results& results) {
+  std::ofstream out(file);
+  out << to_json(results).dump(2) << "\n";
+  if (!out.flush()) throw UserError(file + ": cannot be written");
+}
+
+int main_or_throw(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Times Meshgrade's parts against their peers, and says which goals are met.",
+               "meshgrade bench");
+  add_options(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  std::cout << "compiled by " MESHGRADE_COMPILER_NAME " with" MESHGRADE_FLAGS "\n";
+  const Results results = run(arguments);
+  for (const Table& table : results.tables)
+    print(std::cout, table);
+  print(std::cout, results.goals);
+  if (!arguments.json.empty()) write_json(arguments.json, results);
+  return 0;
+}
+
+}  // namespace
+}  // namespace meshgrade::bench
+
+int main(int argc, char** argv) {
+  try {
+    return meshgrade::bench::main_or_throw(argc, argv);
+  } catch (const meshgrade::UserError& error) {
+    std::cerr << "meshgrade bench: " << error.what() << "\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "meshgrade bench: " << error.what() << "\n";
+    return 3;
+  }
+}
