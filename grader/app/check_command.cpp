@@ -1,14 +1,14 @@
 #include "grader/app/check_command.h"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 
+#include "grader/app/console.h"
 #include "grader/app/context.h"
 #include "grader/app/grading.h"
+#include "grader/app/progress_store.h"
+#include "grader/app/replay_command.h"
 #include "grader/report/json_report.h"
 #include "grader/report/terminal_report.h"
 
@@ -24,31 +24,23 @@ struct CheckOptions {
   bool verbose = false;
 };
 
-bool use_color(const std::string& choice) {
-  if (choice != "auto") return choice == "always";
-  return ::isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-}
-
-/// Shows on a terminal what is going on, and nothing elsewhere.
-Progress terminal_progress() {
-  if (::isatty(STDERR_FILENO) == 0) return [](const std::string&) {};
-  return [](const std::string& what) { std::cerr << "\r\033[K" << what << std::flush; };
-}
-
 int exit_status(const Report& report) {
   if (report.has_grader_error()) return 3;
   return report.points < report.max_points ? 1 : 0;
 }
 
 int check(const CheckOptions& options) {
-  const Assignment assignment =
-      read_assignment(options.assignment.empty() ? standard_assignment()
-                                                 : std::filesystem::path(options.assignment));
+  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
   const Submission submission = find_submission(options.submission, assignment.submission);
   const Progress progress = terminal_progress();
   const Report report = grade(assignment, submission, find_home(), options.exercises, progress);
-  if (::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K";
-  std::cout << to_terminal(report, {use_color(options.color), options.verbose}) << std::flush;
+  progress("");
+  remember_or_warn(options.submission, report);
+  TerminalStyle style{use_color(options.color), options.verbose, {}};
+  style.again = [&](const std::string& case_id) {
+    return replay_command_line(case_id, options.submission, options.assignment);
+  };
+  std::cout << to_terminal(report, style) << std::flush;
   if (!options.json.empty()) write_file_safely(options.json, to_json(report));
   return exit_status(report);
 }

@@ -21,6 +21,10 @@ std::filesystem::path standard_assignment() {
   return source_folder() / "grader" / "assignment.toml";
 }
 
+std::filesystem::path or_standard_assignment(const std::string& file) {
+  return file.empty() ? standard_assignment() : std::filesystem::path(file);
+}
+
 void write_file_safely(const std::filesystem::path& file, const std::string& text) {
   std::filesystem::path temporary = file;
   temporary += ".partial";

@@ -175,4 +175,19 @@ Report grade(const Assignment& assignment, const Submission& submission, const H
   return make_report(assignment, submission, build.files, judged);
 }
 
+Report grade_case(const Assignment& assignment, const Submission& submission,
+                  const Build& build, const Case& asked) {
+  const ExerciseRubric& rubric = *assignment.find(asked.exercise);
+  const ExerciseJudge judge = find_exercise_judge(rubric);
+  Conventions conventions = judge.conventions;
+  const Outcome outcome = run_cases(build, {&asked}, assignment.limits, Company::kAlone).at(0);
+  CaseJudgement judgement =
+      judge_case(judge, {asked, outcome, rubric, assignment.tolerance}, conventions);
+  blame_files_that_do_not_compile(submission, build, judge, judgement);
+  JudgedExercise judged;
+  judged.rubric = &rubric;
+  judged.cases.push_back({asked, std::move(judgement), outcome.output, outcome.output_bytes});
+  return make_report(assignment, submission, build.files, {judged});
+}
+
 }  // namespace meshgrade

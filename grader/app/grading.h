@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "grader/assignment/assignment.h"
+#include "grader/build/build.h"
 #include "grader/build/home.h"
+#include "grader/cases/case.h"
 #include "grader/report/report.h"
 #include "grader/submission/submission.h"
 
@@ -19,5 +21,11 @@ using Progress = std::function<void(const std::string& what)>;
 /// @throws GraderError if the grader itself fails
 Report grade(const Assignment& assignment, const Submission& submission, const Home& home,
              const std::vector<std::string>& exercises, const Progress& progress);
+
+/// Runs and judges a single case, in a process of its own.
+/// @return a report of one exercise with this one case; its points mean nothing
+/// @throws GraderError if the grader itself fails
+Report grade_case(const Assignment& assignment, const Submission& submission,
+                  const Build& build, const Case& asked);
 
 }  // namespace meshgrade

@@ -5,6 +5,7 @@
 #include "grader/app/check_command.h"
 #include "grader/app/dev_check_command.h"
 #include "grader/app/mesh_info_command.h"
+#include "grader/app/replay_command.h"
 #include "grader/app/subdivide_command.h"
 #include "grader/base/errors.h"
 
@@ -20,6 +21,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string("meshgrade ") + MESHGRADE_VERSION);
   meshgrade::add_check_command(app, exit_code);
+  meshgrade::add_replay_command(app, exit_code);
   meshgrade::add_subdivide_command(app, exit_code);
   meshgrade::add_mesh_info_command(app, exit_code);
   meshgrade::add_dev_check_command(app, exit_code);

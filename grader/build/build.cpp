@@ -44,10 +44,25 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
   }
 }
 
+const char* flags_file(BuildKind kind) {
+  switch (kind) {
+    case BuildKind::kSanitized:
+      return "flags_sanitize.txt";
+    case BuildKind::kDebug:
+      return "flags_debug.txt";
+    case BuildKind::kGrading:
+      break;
+  }
+  return "flags.txt";
+}
+
 class Builder {
  public:
-  Builder(const Submission& submission, const Home& home, const Limits& limits)
-      : submission_(submission), home_(home), limits_(limits) {}
+  Builder(const Submission& submission, const Home& home, const Limits& limits, BuildKind kind)
+      : submission_(submission),
+        home_(home),
+        limits_(limits),
+        flags_("@" + (home.kit / flags_file(kind)).string()) {}
 
   Build build() {
     for (const SourceFile& file : submission_.headers)
@@ -86,8 +101,7 @@ class Builder {
     BuiltFile& file = build_.files[i];
     file.name = submission_.sources[i].name;
     const ProcessResult result =
-        run_process(command({home_.compiler, "@" + (home_.kit / "flags.txt").string(),
-                             "-I" + home_.include.string(),
+        run_process(command({home_.compiler, flags_, "-I" + home_.include.string(),
                              "-ffile-prefix-map=" + build_.folder.path().string() + "=.",
                              "-include", (home_.kit / "precompiled.h").string(), "-c",
                              file.name, "-o", object_name(file.name)}));
@@ -103,7 +117,7 @@ class Builder {
 
   /// Links the worker with these sources' objects.
   ProcessResult link(const std::vector<std::size_t>& sources) const {
-    std::vector<std::string> arguments{home_.compiler, "-no-pie", "-o", kWorker};
+    std::vector<std::string> arguments{home_.compiler, flags_, "-no-pie", "-o", kWorker};
     for (std::size_t i : sources)
       arguments.push_back(object_name(build_.files[i].name));
     arguments.push_back((home_.kit / "libmeshgrade_worker.a").string());
@@ -143,6 +157,7 @@ class Builder {
   const Submission& submission_;
   const Home& home_;
   const Limits& limits_;
+  std::string flags_;
   Build build_;
 };
 
@@ -155,8 +170,9 @@ const BuiltFile* Build::find(const std::string& name) const {
   return nullptr;
 }
 
-Build build_submission(const Submission& submission, const Home& home, const Limits& limits) {
-  return Builder(submission, home, limits).build();
+Build build_submission(const Submission& submission, const Home& home, const Limits& limits,
+                       BuildKind kind) {
+  return Builder(submission, home, limits, kind).build();
 }
 
 }  // namespace meshgrade

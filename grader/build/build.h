@@ -28,9 +28,17 @@ struct Build {
   const BuiltFile* find(const std::string& name) const;
 };
 
+/// What the student's files are compiled for. The worker around them is always the same.
+enum class BuildKind {
+  kGrading,
+  kSanitized,  ///< with the address and undefined-behaviour sanitizers
+  kDebug,      ///< without optimization, for a debugger
+};
+
 /// Compiles every source on its own, several at a time, and links what compiled. A file that
 /// does not compile or link is left out and takes no other file with it.
 /// @throws GraderError if not even the empty submission can be linked
-Build build_submission(const Submission& submission, const Home& home, const Limits& limits);
+Build build_submission(const Submission& submission, const Home& home, const Limits& limits,
+                       BuildKind kind = BuildKind::kGrading);
 
 }  // namespace meshgrade

@@ -21,13 +21,20 @@ struct Operation {
   std::uint32_t b = 0;
 };
 
+/// Which half-edges the elements around the first edge anchor when the operation begins.
+enum class Anchoring : std::uint32_t {
+  kAsBuilt = 0,
+  kOnEdge = 1,  ///< the edge its other half-edge, and its faces and inner ends the edge's own
+};
+
 struct OperationsInput {
   PolygonMesh mesh;
+  Anchoring anchoring = Anchoring::kAsBuilt;
   std::vector<Operation> operations;
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(mesh, operations);
+    wire(mesh, anchoring, operations);
   }
 };
 

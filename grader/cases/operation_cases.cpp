@@ -23,9 +23,10 @@ std::string edge_text(VertexPair edge) {
 }
 
 void add_operations(CaseMaker& maker, const std::string& group, const std::string& title,
-                    const PolygonMesh& mesh, const std::vector<Operation>& operations) {
+                    const PolygonMesh& mesh, const std::vector<Operation>& operations,
+                    Anchoring anchoring) {
   const std::uint64_t budget = operations.size() * (2000 + 100 * mesh.polygons.size());
-  maker.add(group, title, budget, OperationsInput{mesh, operations});
+  maker.add(group, title, budget, OperationsInput{mesh, anchoring, operations});
 }
 
 void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,
@@ -34,10 +35,14 @@ void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind ki
   const TriangleSet triangles(mesh);
   for (const VertexPair& edge : triangles.edges()) {
     if (triangles.is_boundary(edge) != (choice == EdgeChoice::kBoundary)) continue;
+    const std::vector<Operation> operations{{kind, edge.first, edge.second}};
     const char* place = choice == EdgeChoice::kBoundary ? "boundary edge " : "edge ";
-    add_operations(maker, group,
-                   std::string(verb(kind)) + " the " + place + edge_text(edge) + " of " + file,
-                   mesh, {{kind, edge.first, edge.second}});
+    const std::string title =
+        std::string(verb(kind)) + " the " + place + edge_text(edge) + " of " + file;
+    add_operations(maker, group, title, mesh, operations);
+    if (choice == EdgeChoice::kBoundary) continue;
+    add_operations(maker, group, title + ", which its ends and faces anchor", mesh, operations,
+                   Anchoring::kOnEdge);
   }
 }
 

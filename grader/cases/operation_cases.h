@@ -14,11 +14,13 @@ std::string edge_text(VertexPair edge);
 
 /// Adds a case of these operations, with a step budget in proportion to the mesh.
 void add_operations(CaseMaker& maker, const std::string& group, const std::string& title,
-                    const PolygonMesh& mesh, const std::vector<Operation>& operations);
+                    const PolygonMesh& mesh, const std::vector<Operation>& operations,
+                    Anchoring anchoring = Anchoring::kAsBuilt);
 
 enum class EdgeChoice { kInner, kBoundary };
 
-/// Adds one case for every inner or every boundary edge of a mesh file.
+/// Adds one case for every boundary edge of a mesh file, or two for every inner one: with the
+/// anchors as they are built, and with all of them on that edge.
 void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,
                     const std::string& file, EdgeChoice choice);
 

@@ -21,12 +21,6 @@ namespace {
 
 using Triangle = std::array<Ref, 3>;
 
-MeshDump dump_polygons(const PolygonMesh& polygons) {
-  meshedit::HalfedgeMesh mesh;
-  build_mesh(polygons, mesh);
-  return dump_mesh(mesh);
-}
-
 Ref live_vertex(const MeshDump& mesh, std::uint32_t place) {
   for (Ref v = 0; v < mesh.vertices.size(); ++v) {
     if (mesh.vertices[v].live != 0 && place-- == 0) return v;
@@ -42,6 +36,18 @@ Ref find_edge(const MeshDump& mesh, Ref a, Ref b) {
     if ((h.vertex == a && end == b) || (h.vertex == b && end == a)) return e;
   }
   return kUnsetRef;
+}
+
+/// The mesh that the worker begins with.
+MeshDump first_mesh(const OperationsInput& input) {
+  meshedit::HalfedgeMesh mesh;
+  build_mesh(input.mesh, mesh);
+  const MeshDump built = dump_mesh(mesh);
+  if (input.anchoring == Anchoring::kAsBuilt) return built;
+  const Operation& first = input.operations.at(0);
+  const Ref e = find_edge(built, live_vertex(built, first.a), live_vertex(built, first.b));
+  anchor_on(std::next(mesh.edgesBegin(), e));
+  return dump_mesh(mesh);
 }
 
 /// The corners of all faces, each turned so that the smallest comes first.
@@ -442,7 +448,7 @@ void leave_to_other_exercise(const JudgeTask& task, const OperationsInput& input
 void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
   const auto input = from_wire<OperationsInput>(task.asked.input);
   if (task.outcome.steps.size() > input.operations.size()) throw WireError("too many steps");
-  MeshDump before = dump_polygons(input.mesh);
+  MeshDump before = first_mesh(input);
   std::size_t done = 0;  // operations that were judged to be right
   for (std::size_t i = 0; i < task.outcome.steps.size(); ++i) {
     const auto step = from_wire<OperationStep>(task.outcome.steps[i]);

@@ -37,6 +37,7 @@ class Differ {
   }
 
   PointerDiff diff() {
+    diff_.corners = corners_text();
     add_halfedges();
     add_vertices();
     add_edges();
@@ -54,6 +55,16 @@ class Differ {
   std::string letter(Ref vertex) const {
     const auto found = letters_.find(vertex);
     return found == letters_.end() ? "" : found->second;
+  }
+
+  std::string corners_text() const {
+    std::string text = "the edge runs from b = " + vertex_name(diamond_.b) +
+                       " to c = " + vertex_name(diamond_.c) +
+                       "; opposite lies a = " + vertex_name(diamond_.a);
+    if (diamond_.d != kUnsetRef) text += " and d = " + vertex_name(diamond_.d);
+    if (split_vertex_ == kUnsetRef) return text;
+    const Ref mine = match_.vertices[split_vertex_];
+    return text + "; m is the new vertex" + (mine == kUnsetRef ? "" : " " + vertex_name(mine));
   }
 
   /// "mc" for a half-edge between named corners, nothing for others.

@@ -47,6 +47,7 @@ struct WrongPointer {
 };
 
 struct PointerDiff {
+  std::string corners;  ///< which vertex is a, b, c, d, m
   std::vector<PointerTable> tables;
   std::vector<WrongPointer> wrong;
   std::size_t missing = 0;  ///< elements that must be created and are not

@@ -20,4 +20,16 @@ inline void build_mesh(const PolygonMesh& polygons, meshedit::HalfedgeMesh& mesh
   mesh.build(corners, positions);
 }
 
+/// Makes the elements around an inner edge anchor its half-edges, and the edge the other of its
+/// two: as right as what build() gives, and harder for a solution that forgets an anchor. Only
+/// vertices inside: those on a boundary keep their boundary half-edge. The mesh must be right.
+inline void anchor_on(meshedit::EdgeIter edge) {
+  const meshedit::HalfedgeIter h = edge->halfedge()->twin();
+  edge->halfedge() = h;
+  for (const meshedit::HalfedgeIter& side : {h, h->twin()}) {
+    side->face()->halfedge() = side;
+    if (!side->vertex()->isBoundary()) side->vertex()->halfedge() = side;
+  }
+}
+
 }  // namespace meshgrade

@@ -25,7 +25,8 @@ Json to_value(const PointerTable& table) {
 }
 
 Json to_value(const PointerDiff& diff) {
-  Json value{{"missing", diff.missing}, {"surplus", diff.surplus}};
+  Json value{
+      {"corners", diff.corners}, {"missing", diff.missing}, {"surplus", diff.surplus}};
   value["wrong"] = Json::array();
   for (const WrongPointer& pointer : diff.wrong) {
     value["wrong"].push_back({{"pointer", pointer.name},

@@ -22,6 +22,10 @@ std::string points_text(double points, double max_points) {
   return number_text(points) + " / " + number_text(max_points);
 }
 
+bool is_failure(const CaseReport& c) {
+  return c.verdict != Verdict::kPassed;
+}
+
 class TerminalReport {
  public:
   TerminalReport(const Report& report, const TerminalStyle& style)
@@ -37,6 +41,16 @@ class TerminalReport {
       add_file(file);
     for (const ExerciseReport& exercise : report_.exercises)
       add_exercise(exercise);
+    return std::move(out_);
+  }
+
+  std::string render_cases() {
+    for (const FileReport& file : report_.files)
+      add_file(file);
+    for (const ExerciseReport& exercise : report_.exercises) {
+      for (const CaseReport& c : exercise.cases)
+        add_case(c);
+    }
     return std::move(out_);
   }
 
@@ -113,25 +127,6 @@ class TerminalReport {
     out_ += "\n";
   }
 
-  static bool is_failure(const CaseReport& c) { return c.verdict != Verdict::kPassed; }
-
-  /// Required groups come before extra credit, and cases with a finding before those without.
-  const CaseReport* first_failure(const ExerciseReport& exercise) const {
-    const CaseReport* without_finding = nullptr;
-    for (bool extra : {false, true}) {
-      for (const GroupReport& group : exercise.groups) {
-        if (group.extra_credit != extra) continue;
-        for (const CaseReport& c : exercise.cases) {
-          if (c.group != group.name || !is_failure(c)) continue;
-          if (!c.findings.empty()) return &c;
-          if (without_finding == nullptr) without_finding = &c;
-        }
-      }
-      if (without_finding != nullptr) return without_finding;
-    }
-    return without_finding;
-  }
-
   void add_first_failure(const ExerciseReport& exercise) {
     const CaseReport* first = first_failure(exercise);
     if (first == nullptr) return;
@@ -159,6 +154,7 @@ class TerminalReport {
     }
     add_field("note", c.note);
     if (!c.output.empty() && (style_.verbose || is_failure(c))) add_output(c);
+    if (style_.again && is_failure(c)) add_field("again", style_.again(c.id));
   }
 
   void add_field(const std::string& name, const std::string& text) {
@@ -183,6 +179,7 @@ class TerminalReport {
 
   void add_pointers(const PointerDiff& diff) {
     if (diff.tables.empty()) return;
+    add_field("names", diff.corners);
     std::vector<std::string> wrong;
     std::vector<std::string> not_set;
     for (const WrongPointer& pointer : diff.wrong) {
@@ -250,6 +247,26 @@ class TerminalReport {
 
 std::string to_terminal(const Report& report, const TerminalStyle& style) {
   return TerminalReport(report, style).render();
+}
+
+std::string cases_to_terminal(const Report& report, const TerminalStyle& style) {
+  return TerminalReport(report, style).render_cases();
+}
+
+const CaseReport* first_failure(const ExerciseReport& exercise) {
+  const CaseReport* without_finding = nullptr;
+  for (bool extra : {false, true}) {
+    for (const GroupReport& group : exercise.groups) {
+      if (group.extra_credit != extra) continue;
+      for (const CaseReport& c : exercise.cases) {
+        if (c.group != group.name || !is_failure(c)) continue;
+        if (!c.findings.empty()) return &c;
+        if (without_finding == nullptr) without_finding = &c;
+      }
+    }
+    if (without_finding != nullptr) return without_finding;
+  }
+  return without_finding;
 }
 
 }  // namespace meshgrade

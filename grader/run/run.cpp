@@ -84,8 +84,27 @@ Outcome unfinished(const ProcessResult& worker) {
   return outcome;
 }
 
-/// Keeps of each stack what lies in the student's own files, which the compiler knows by names
-/// without a folder.
+void remove_all(std::string& text, const std::string& part) {
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part)) {
+    text.erase(at, part.size());
+  }
+}
+
+/// "HalfedgeMesh::flipEdge" out of the compiler's name with namespaces and parameters.
+std::string short_name(std::string function) {
+  remove_all(function, "(anonymous namespace)::");
+  remove_all(function, "meshedit::");
+  return function.substr(0, function.find('('));
+}
+
+/// A frame in a file of the student's, whose names the compiler was given without a folder.
+/// Some of the shared headers' code is told as if it stood in the file that includes it.
+bool is_students(const StackFrame& frame) {
+  return frame.file.rfind("./", 0) == 0 && frame.function.rfind("meshedit::detail::", 0) != 0 &&
+         frame.function.rfind("meshedit::Handle<", 0) != 0;
+}
+
+/// Keeps of each stack what lies in the student's own files.
 void add_stacks(const Build& build, const std::vector<TaskResult>& tasks,
                 std::vector<Outcome>& outcomes) {
   std::set<std::uint64_t> addresses;
@@ -99,8 +118,10 @@ void add_stacks(const Build& build, const std::vector<TaskResult>& tasks,
       const auto found = frames.find(address - 1);
       if (found == frames.end()) continue;
       for (StackFrame frame : found->second) {
-        if (frame.file.rfind("./", 0) != 0) continue;
-        frame.file.erase(0, 2);
+        if (!is_students(frame)) continue;
+        while (frame.file.rfind("./", 0) == 0)
+          frame.file.erase(0, 2);
+        frame.function = short_name(frame.function);
         outcomes[i].stack.push_back(std::move(frame));
       }
     }
@@ -109,12 +130,18 @@ void add_stacks(const Build& build, const std::vector<TaskResult>& tasks,
 
 }  // namespace
 
+FileDescriptor make_task_file(const std::vector<const Case*>& cases, const Limits& limits,
+                              Company company) {
+  FileDescriptor file = make_scratch_file();
+  write_all(file.get(), to_wire(make_tasks(cases, limits, company)));
+  return file;
+}
+
 std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
                                const Limits& limits, Company company) {
-  FileDescriptor tasks = make_scratch_file();
-  FileDescriptor results = make_scratch_file();
-  FileDescriptor output = make_scratch_file();
-  write_all(tasks.get(), to_wire(make_tasks(cases, limits, company)));
+  const FileDescriptor tasks = make_task_file(cases, limits, company);
+  const FileDescriptor results = make_scratch_file();
+  const FileDescriptor output = make_scratch_file();
   Command command;
   command.arguments = {build.worker.string()};
   command.folder = build.folder.path();

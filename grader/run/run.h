@@ -12,6 +12,11 @@ namespace meshgrade {
 /// solution keeps state from one call to the next.
 enum class Company { kTogether, kAlone };
 
+/// What the worker reads: these cases, as an open file at its start.
+/// @throws GraderError if it cannot be written
+FileDescriptor make_task_file(const std::vector<const Case*>& cases, const Limits& limits,
+                              Company company);
+
 /// Runs all cases in one worker, one after the other. A case that kills the worker loses only
 /// itself. What the student's code does is never the grader's fault: the result has one
 /// Outcome for each case, whatever happens.

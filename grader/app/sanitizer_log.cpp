@@ -1,0 +1,89 @@
+#include "grader/app/sanitizer_log.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "grader/base/text.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kLogName = "sanitizer";  // the sanitizers add ".<process number>"
+
+std::string cleaned_line(std::string line) {
+  static const std::regex process_number("^==\\d+==\\s*(ERROR: )?");
+  static const std::regex registers(" ?(at|\\()(pc| pc) 0x.*$");
+  static const std::regex addresses("( on address| at|,)? ?[\\[(]?0x[0-9a-f]+[\\])]?");
+  static const std::regex thread(" thread T0");
+  line = std::regex_replace(line, process_number, "");
+  line = std::regex_replace(line, registers, "");
+  line = std::regex_replace(line, addresses, "");
+  return std::regex_replace(line, thread, "");
+}
+
+/// "    #1 0x4021 in name(arguments) ./edge_flip.cpp:12" -> "    in name(...)
+/// edge_flip.cpp:12"; empty for what is not in the student's files.
+std::string cleaned_frame(const std::string& line) {
+  static const std::regex own("^\\s*#\\d+ 0x[0-9a-f]+ in (.*) (\\./)*([^/ ]+:\\d+)(:\\d+)?$");
+  std::smatch parts;
+  if (!std::regex_match(line, parts, own)) return {};
+  return "      " + parts[3].str() + ", " + parts[1].str();
+}
+
+bool is_frame(const std::string& line) {
+  const std::size_t start = line.find_first_not_of(' ');
+  return start != std::string::npos && line[start] == '#';
+}
+
+}  // namespace
+
+std::string clean_sanitizer_log(const std::string& log) {
+  std::string text;
+  for (const std::string& line : split_lines(printable(log))) {
+    if (line.rfind("SUMMARY:", 0) == 0) break;
+    if (line.empty() || line.find_first_not_of('=') == std::string::npos) continue;
+    if (line.find("can not provide additional info") != std::string::npos) continue;
+    const std::string kept = is_frame(line) ? cleaned_frame(line) : "  " + cleaned_line(line);
+    if (kept.find_first_not_of(' ') != std::string::npos) text += kept + "\n";
+  }
+  return text;
+}
+
+void set_up_sanitizers(const Build& build) {
+  const std::string log = "log_path=" + (build.folder.path() / kLogName).string();
+  // "2": the worker's own handlers of signals do not get in the way.
+  ::setenv("ASAN_OPTIONS",
+           (log + ":detect_leaks=0:handle_segv=2:handle_sigbus=2:handle_sigfpe=2:"
+                  "handle_abort=2:handle_sigill=2:detect_stack_use_after_return=1")
+               .c_str(),
+           1);
+  ::setenv("UBSAN_OPTIONS", (log + ":print_stacktrace=1").c_str(), 1);
+}
+
+std::string read_sanitizer_log(const Build& build) {
+  std::string log;
+  for (const fs::directory_entry& entry : fs::directory_iterator(build.folder.path())) {
+    if (entry.path().stem() != kLogName) continue;
+    std::ostringstream text;
+    text << std::ifstream(entry.path()).rdbuf();
+    log += text.str();
+  }
+  return clean_sanitizer_log(log);
+}
+
+CaseReport with_sanitizer_finding(CaseReport judged, const std::string& log) {
+  Finding finding;
+  finding.rule = "sanitizer";
+  finding.meaning =
+      "no memory is used that is not one's own, and nothing is done that C++ leaves undefined";
+  finding.actual = log.substr(log.find_first_not_of(' '), log.find('\n') - 2);
+  judged.verdict = Verdict::kCrashed;
+  judged.findings = {{finding, {}}};
+  return judged;
+}
+
+}  // namespace meshgrade
