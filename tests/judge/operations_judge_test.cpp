@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include "grader/judge/judge.h"
+#include "tests/support/right_answers.h"
+#include "tests/support/standard_assignment.h"
+
+namespace meshgrade {
+namespace {
+
+CaseJudgement judge(const Case& c, const std::vector<OperationStep>& steps) {
+  const ExerciseRubric& rubric = *standard_rubric().find(c.exercise);
+  const ExerciseJudge exercise = find_exercise_judge(rubric);
+  Outcome outcome;
+  for (const OperationStep& step : steps)
+    outcome.steps.push_back(to_wire(step));
+  Conventions conventions;
+  return judge_case(exercise, {c, outcome, rubric, 1e-5}, conventions);
+}
+
+Case operation_case(const std::string& exercise, const std::string& group,
+                    const std::string& file, Operation operation) {
+  return {exercise,
+          group,
+          1,
+          "",
+          to_wire(OperationsInput{sample_polygons(file), Anchoring::kAsBuilt, {operation}}),
+          1000};
+}
+
+OperationStep right_step(const Case& c) {
+  return from_wire<OperationStep>(right_outcome(c).steps.at(0));
+}
+
+/// A step that leaves the mesh as it was.
+OperationStep idle_step(const Case& c) {
+  OperationStep step = right_step(c);
+  step.after = dump_polygons(from_wire<OperationsInput>(c.input).mesh);
+  step.returned = step.edge;
+  return step;
+}
+
+std::string rule_of(const CaseJudgement& judgement) {
+  EXPECT_EQ(judgement.verdict, Verdict::kFailed);
+  return judgement.findings.empty() ? "" : judgement.findings[0].rule;
+}
+
+class OperationsJudge : public testing::Test {
+ protected:
+  Case flip_ =
+      operation_case("edge_flip", "basic", "octahedron.off", {OperationKind::kFlip, 0, 1});
+  Case split_ =
+      operation_case("edge_split", "basic", "octahedron.off", {OperationKind::kSplit, 0, 1});
+  Case border_ = operation_case("edge_split", "boundary", "single_triangle.obj",
+                                {OperationKind::kSplit, 0, 1});
+};
+
+TEST_F(OperationsJudge, FlipInEitherDirectionIsRight) {
+  // Two more flips turn the edge by half a turn: the same surface, the half-edges swapped.
+  OperationStep step = right_step(flip_);
+  EXPECT_EQ(judge(flip_, {step}).verdict, Verdict::kPassed);
+  model_flip(step.after, step.edge);
+  model_flip(step.after, step.edge);
+  EXPECT_EQ(judge(flip_, {step}).verdict, Verdict::kPassed);
+  for (VertexRecord& v : step.after.vertices) {
+    const Ref t = step.after.halfedges[v.halfedge].twin;
+    v.halfedge = step.after.halfedges[t].next;
+  }
+  EXPECT_EQ(judge(flip_, {step}).verdict, Verdict::kPassed);
+}
+
+TEST_F(OperationsJudge, NothingDoneToAnInnerEdgeIsToldAsSuch) {
+  EXPECT_EQ(rule_of(judge(flip_, {idle_step(flip_)})), "nothing-done");
+  EXPECT_EQ(rule_of(judge(split_, {idle_step(split_)})), "nothing-done");
+}
+
+TEST_F(OperationsJudge, AnotherReturnedElementIsToldAsSuch) {
+  OperationStep step = right_step(flip_);
+  step.returned = step.edge + 1;
+  EXPECT_EQ(rule_of(judge(flip_, {step})), "returned");
+  step = right_step(split_);
+  step.returned = 0;
+  EXPECT_EQ(rule_of(judge(split_, {step})), "returned");
+}
+
+TEST_F(OperationsJudge, MovedVertexIsToldAsSuch) {
+  OperationStep step = right_step(flip_);
+  step.after.vertices[2].position[0] += 1e-9;
+  EXPECT_EQ(rule_of(judge(flip_, {step})), "position");
+}
+
+TEST_F(OperationsJudge, SplitAwayFromTheMiddleIsToldAsSuch) {
+  OperationStep step = right_step(split_);
+  step.after.vertices[step.returned].position[0] += 0.01;
+  EXPECT_EQ(rule_of(judge(split_, {step})), "midpoint");
+}
+
+TEST_F(OperationsJudge, HalfedgeOfTheNewVertexLiesAlongTheOldEdge) {
+  OperationStep step = right_step(split_);
+  VertexRecord& m = step.after.vertices[step.returned];
+  m.halfedge = step.after.halfedges[step.after.halfedges[m.halfedge].twin].next;
+  EXPECT_EQ(rule_of(judge(split_, {step})), "along-edge");
+}
+
+TEST_F(OperationsJudge, SplitOfAnotherEdgeIsWrong) {
+  OperationStep step = idle_step(split_);
+  step.returned = model_split(step.after, (step.edge + 1) % 12);
+  EXPECT_EQ(judge(split_, {step}).verdict, Verdict::kFailed);
+}
+
+TEST_F(OperationsJudge, DeletedOldElementIsTold) {
+  OperationStep step = right_step(flip_);
+  step.after.vertices[0].live = 0;
+  EXPECT_EQ(rule_of(judge(flip_, {step})), "counts");
+}
+
+TEST_F(OperationsJudge, SwappedOldEdgesAreTold) {
+  OperationStep step = right_step(flip_);
+  MeshDump& mesh = step.after;
+  const Ref a = step.edge == 0 ? 1 : 0;
+  const Ref b = step.edge == 2 ? 3 : 2;
+  for (HalfedgeRecord& h : mesh.halfedges) {
+    if (h.edge == a || h.edge == b) h.edge = a + b - h.edge;
+  }
+  std::swap(mesh.edges[a], mesh.edges[b]);
+  EXPECT_EQ(rule_of(judge(flip_, {step})), "identity");
+}
+
+TEST_F(OperationsJudge, BoundaryEdgeMayBeSplitOrRefusedButNotHarmed) {
+  EXPECT_EQ(judge(border_, {right_step(border_)}).verdict, Verdict::kPassed);
+  EXPECT_EQ(judge(border_, {idle_step(border_)}).verdict, Verdict::kPassed);
+  OperationStep harmed = idle_step(border_);
+  harmed.after.vertices.push_back({0, 1, {}});
+  EXPECT_EQ(judge(border_, {harmed}).verdict, Verdict::kFailed);
+}
+
+TEST_F(OperationsJudge, RefusedBoundarySplitEarnsNoExtraCredit) {
+  border_.group = "boundary_split";
+  EXPECT_EQ(judge(border_, {right_step(border_)}).verdict, Verdict::kPassed);
+  EXPECT_EQ(judge(border_, {idle_step(border_)}).verdict, Verdict::kNotImplemented);
+}
+
+TEST_F(OperationsJudge, FlippedBoundaryEdgeIsWrongWhateverIsDoneToIt) {
+  const Case c = operation_case("edge_flip", "boundary", "two_triangles.obj",
+                                {OperationKind::kFlip, 0, 1});
+  ASSERT_TRUE(is_boundary_edge(idle_step(c).after, idle_step(c).edge));
+  EXPECT_EQ(judge(c, {idle_step(c)}).verdict, Verdict::kPassed);
+  OperationStep harmed = idle_step(c);
+  harmed.after.vertices[0].halfedge = kUnsetRef;
+  EXPECT_EQ(rule_of(judge(c, {harmed})), "boundary-edge");
+}
+
+TEST_F(OperationsJudge, FlipThatWouldDoubleAnEdgeMayBeDoneOrLeft) {
+  const Case c =
+      operation_case("edge_flip", "basic", "tetrahedron.obj", {OperationKind::kFlip, 0, 1});
+  OperationStep step = idle_step(c);
+  EXPECT_EQ(judge(c, {step}).verdict, Verdict::kPassed);
+  model_flip(step.after, step.edge);
+  EXPECT_EQ(judge(c, {step}).verdict, Verdict::kPassed);
+}
+
+TEST_F(OperationsJudge, MirroredNeighbourhoodIsNoticed) {
+  // All faces turned inside out is another surface, though its faces have the same corners.
+  OperationStep step = right_step(flip_);
+  PolygonMesh turned;
+  for (const VertexRecord& v : step.after.vertices)
+    turned.positions.push_back(v.position);
+  for (const FaceRecord& f : step.after.faces) {
+    const HalfedgeRecord& x = step.after.halfedges[f.halfedge];
+    const HalfedgeRecord& y = step.after.halfedges[x.next];
+    turned.polygons.push_back({y.vertex, x.vertex, step.after.halfedges[y.next].vertex});
+  }
+  step.after = dump_polygons(turned);
+  EXPECT_EQ(judge(flip_, {step}).verdict, Verdict::kFailed);
+}
+
+TEST_F(OperationsJudge, FlipThatGoesWrongInASequenceOfSplitsIsNotJudged) {
+  for (const Case& c : standard_cases("edge_split")) {
+    const auto input = from_wire<OperationsInput>(c.input);
+    if (input.operations[0].kind != OperationKind::kFlip) continue;
+    OperationStep step = from_wire<OperationStep>(right_outcome(c).steps[0]);
+    step.after.halfedges[0].next = kUnsetRef;
+    const CaseJudgement judgement = judge(c, {step});
+    EXPECT_EQ(judgement.verdict, Verdict::kNotJudged);
+    EXPECT_NE(judgement.note.find("edge_flip"), std::string::npos);
+    return;
+  }
+  FAIL() << "no sequence begins with a flip";
+}
+
+}  // namespace
+}  // namespace meshgrade

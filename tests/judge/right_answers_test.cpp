@@ -1,0 +1,49 @@
+// Answers that are made without half-edge code are right in every case of the assignment.
+
+#include <gtest/gtest.h>
+
+#include "grader/judge/judge.h"
+#include "tests/support/right_answers.h"
+#include "tests/support/standard_assignment.h"
+
+namespace meshgrade {
+namespace {
+
+class RightAnswers : public testing::TestWithParam<std::string> {};
+
+TEST_P(RightAnswers, PassEveryCase) {
+  const ExerciseRubric& rubric = *standard_rubric().find(GetParam());
+  const ExerciseJudge judge = find_exercise_judge(rubric);
+  Conventions conventions = judge.conventions;
+  for (const Case& c : standard_cases(GetParam())) {
+    const Outcome outcome = right_outcome(c);
+    const CaseJudgement judgement = judge_case(judge, {c, outcome, rubric, 1e-9}, conventions);
+    EXPECT_EQ(judgement.verdict, Verdict::kPassed)
+        << c.id() << " " << c.title << ": "
+        << (judgement.findings.empty() ? judgement.note : judgement.findings[0].actual);
+    EXPECT_TRUE(judgement.findings.empty());
+  }
+}
+
+TEST_P(RightAnswers, WithAStepMissingAreNotBelieved) {
+  const ExerciseRubric& rubric = *standard_rubric().find(GetParam());
+  const ExerciseJudge judge = find_exercise_judge(rubric);
+  for (const Case& c : standard_cases(GetParam())) {
+    if (c.input.size() > 100'000) continue;
+    Outcome outcome = right_outcome(c);
+    outcome.steps.pop_back();
+    Conventions conventions = judge.conventions;
+    const CaseJudgement judgement = judge_case(judge, {c, outcome, rubric, 1e-5}, conventions);
+    EXPECT_EQ(judgement.verdict, Verdict::kFailed) << c.id();
+    ASSERT_FALSE(judgement.findings.empty()) << c.id();
+    EXPECT_EQ(judgement.findings[0].rule, "malformed") << c.id();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, RightAnswers,
+                         testing::Values("bezier_curve", "bezier_patch", "vertex_normal",
+                                         "edge_flip", "edge_split", "loop_subdivision"),
+                         [](const auto& parameter) { return parameter.param; });
+
+}  // namespace
+}  // namespace meshgrade

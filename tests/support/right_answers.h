@@ -1,0 +1,173 @@
+#pragma once
+
+// What a right solution leaves behind for a case, made without any half-edge code of a student
+// or of the reference: from closed forms, OpenSubdiv, and the models of flip and split.
+
+#include <cmath>
+
+#include "grader/base/wire.h"
+#include "grader/cases/bezier_input.h"
+#include "grader/cases/case.h"
+#include "grader/cases/mesh_input.h"
+#include "grader/judge/bezier_forms.h"
+#include "grader/judge/operation_model.h"
+#include "grader/run/outcome.h"
+#include "grader/subdivide/opensubdiv_loop.h"
+#include "tests/support/sample_meshes.h"
+
+namespace meshgrade {
+
+inline Ref find_edge(const MeshDump& mesh, Ref a, Ref b) {
+  for (Ref e = 0; e < mesh.edges.size(); ++e) {
+    const HalfedgeRecord& h = mesh.halfedges[mesh.edges[e].halfedge];
+    const Ref end = mesh.halfedges[h.twin].vertex;
+    if (std::minmax(h.vertex, end) == std::minmax(a, b)) return e;
+  }
+  return kUnsetRef;
+}
+
+/// The mesh that the operations begin with.
+inline MeshDump first_mesh(const OperationsInput& input) {
+  const MeshDump built = dump_polygons(input.mesh);
+  if (input.anchoring == Anchoring::kAsBuilt) return built;
+  meshedit::HalfedgeMesh mesh;
+  build_mesh(input.mesh, mesh);
+  const Operation& first = input.operations.at(0);
+  anchor_on(std::next(mesh.edgesBegin(), find_edge(built, first.a, first.b)));
+  return dump_mesh(mesh);
+}
+
+inline std::vector<std::string> right_operations(const OperationsInput& input) {
+  std::vector<std::string> steps;
+  MeshDump mesh = first_mesh(input);
+  for (const Operation& operation : input.operations) {
+    OperationStep step;
+    step.edge = find_edge(mesh, operation.a, operation.b);
+    step.returned = step.edge;
+    if (operation.kind == OperationKind::kSplit) {
+      step.returned = model_split(mesh, step.edge);
+    } else if (!is_boundary_edge(mesh, step.edge)) {
+      const Diamond d = diamond_of(mesh, step.edge);
+      if (find_edge(mesh, d.a, d.d) == kUnsetRef) model_flip(mesh, step.edge);
+    }
+    step.after = mesh;
+    steps.push_back(to_wire(step));
+  }
+  return steps;
+}
+
+inline std::vector<std::string> right_levels(const SubdivisionInput& input, VertexRule rule,
+                                             CornerRule corner) {
+  std::vector<std::string> steps;
+  PolygonMesh mesh = input.mesh;
+  for (std::uint32_t level = 0; level < input.levels; ++level) {
+    mesh = opensubdiv_loop(mesh, rule, corner).mesh;
+    steps.push_back(to_wire(dump_polygons(mesh)));
+  }
+  return steps;
+}
+
+inline Point3 face_vector(const PolygonMesh& mesh, const std::vector<std::uint32_t>& t) {
+  const Point3& p = mesh.positions[t[0]];
+  const Point3& q = mesh.positions[t[1]];
+  const Point3& r = mesh.positions[t[2]];
+  const Point3 a{q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+  const Point3 b{r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline double corner_angle(const PolygonMesh& mesh, const std::vector<std::uint32_t>& t,
+                           std::size_t corner) {
+  const Point3& p = mesh.positions[t[corner]];
+  const Point3& q = mesh.positions[t[(corner + 1) % 3]];
+  const Point3& r = mesh.positions[t[(corner + 2) % 3]];
+  double dot = 0.0;
+  double qq = 0.0;
+  double rr = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    dot += (q[i] - p[i]) * (r[i] - p[i]);
+    qq += (q[i] - p[i]) * (q[i] - p[i]);
+    rr += (r[i] - p[i]) * (r[i] - p[i]);
+  }
+  return std::acos(std::clamp(dot / std::sqrt(qq * rr), -1.0, 1.0));
+}
+
+enum class NormalWeights { kArea, kEqual, kAngle };
+
+/// Vertex normals as sums over faces with one of the usual weights.
+inline std::vector<Point3> vertex_normals(const PolygonMesh& mesh, NormalWeights weights) {
+  std::vector<Point3> sums(mesh.positions.size(), Point3{});
+  for (const auto& t : mesh.polygons) {
+    const Point3 area = face_vector(mesh, t);
+    const double twice_area = std::hypot(area[0], area[1], area[2]);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const double weight = weights == NormalWeights::kArea ? 1.0
+                            : weights == NormalWeights::kEqual
+                                ? 1.0 / twice_area
+                                : corner_angle(mesh, t, corner) / twice_area;
+      for (std::size_t i = 0; i < 3; ++i)
+        sums[t[corner]][i] += weight * area[i];
+    }
+  }
+  for (Point3& sum : sums) {
+    const double norm = std::hypot(sum[0], sum[1], sum[2]);
+    for (double& x : sum)
+      x /= norm;
+  }
+  return sums;
+}
+
+inline std::vector<std::string> right_curve(const CurveInput& input) {
+  std::vector<std::string> steps;
+  std::vector<Point2> points = input.points;
+  for (std::uint32_t i = 0; i < input.steps; ++i) {
+    CurveStep step{de_casteljau_step(points, input.t), points};
+    points = step.result;
+    steps.push_back(to_wire(step));
+  }
+  return steps;
+}
+
+inline Point3 de_casteljau(std::vector<Point3> points, double t) {
+  while (points.size() > 1)
+    points = de_casteljau_step(points, t);
+  return points.at(0);
+}
+
+inline std::vector<std::string> right_patch(const PatchInput& input) {
+  std::vector<std::string> steps;
+  for (const auto& [u, v] : input.parameters) {
+    std::vector<Point3> result;
+    if (input.function == PatchFunction::kStep) {
+      result = de_casteljau_step(input.net[0], u);
+    } else if (input.function == PatchFunction::kLine) {
+      result = {de_casteljau(input.net[0], u)};
+    } else {
+      std::vector<Point3> column;
+      for (const auto& row : input.net)
+        column.push_back(de_casteljau(row, u));
+      result = {de_casteljau(column, v)};
+    }
+    steps.push_back(to_wire(result));
+  }
+  return steps;
+}
+
+inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarren,
+                             CornerRule corner = CornerRule::kSmooth) {
+  Outcome outcome;
+  if (c.exercise == "bezier_curve") outcome.steps = right_curve(from_wire<CurveInput>(c.input));
+  if (c.exercise == "bezier_patch") outcome.steps = right_patch(from_wire<PatchInput>(c.input));
+  if (c.exercise == "vertex_normal") {
+    for (const Point3& n :
+         vertex_normals(from_wire<NormalInput>(c.input).mesh, NormalWeights::kArea))
+      outcome.steps.push_back(to_wire(n));
+  }
+  if (c.exercise == "edge_flip" || c.exercise == "edge_split")
+    outcome.steps = right_operations(from_wire<OperationsInput>(c.input));
+  if (c.exercise == "loop_subdivision")
+    outcome.steps = right_levels(from_wire<SubdivisionInput>(c.input), rule, corner);
+  return outcome;
+}
+
+}  // namespace meshgrade
