@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "grader/app/compile_blame.h"
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
 #include "grader/build/build.h"
@@ -79,28 +80,6 @@ void run_again_alone(const Assignment& assignment, const ExerciseRubric& rubric,
   }
 }
 
-/// "HalfedgeMesh::flipEdge is not implemented" is no surprise if its file does not compile.
-void blame_files_that_do_not_compile(const Submission& submission, const Build& build,
-                                     const ExerciseJudge& judge, CaseJudgement& judgement) {
-  if (judgement.verdict != Verdict::kNotImplemented &&
-      judgement.verdict != Verdict::kNotJudged) {
-    return;
-  }
-  for (const SourceFile& source : submission.sources) {
-    const BuiltFile* file = build.find(source.name);
-    if (file == nullptr || file->ok) continue;
-    for (const std::string& function : judge.functions) {
-      if (judgement.note.find(function) == std::string::npos ||
-          source.text.find(function) == std::string::npos) {
-        continue;
-      }
-      judgement.verdict = Verdict::kNotCompiled;
-      judgement.note = source.name + ", which holds " + function + ", does not compile";
-      return;
-    }
-  }
-}
-
 std::string conventions_note(const Conventions& conventions, const Conventions& all) {
   if (conventions.size() == all.size()) return {};
   const std::vector<std::string> names(conventions.begin(), conventions.end());
@@ -122,7 +101,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Submission& su
   JudgedExercise judged;
   judged.rubric = &rubric;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    blame_files_that_do_not_compile(submission, build, judge, judgements[i]);
+    blame_compilation(assignment, submission, build, judge, judgements[i]);
     judged.cases.push_back(
         {cases[i], std::move(judgements[i]), outcomes[i].output, outcomes[i].output_bytes});
   }
@@ -183,7 +162,7 @@ Report grade_case(const Assignment& assignment, const Submission& submission,
   const Outcome outcome = run_cases(build, {&asked}, assignment.limits, Company::kAlone).at(0);
   CaseJudgement judgement =
       judge_case(judge, {asked, outcome, rubric, assignment.tolerance}, conventions);
-  blame_files_that_do_not_compile(submission, build, judge, judgement);
+  blame_compilation(assignment, submission, build, judge, judgement);
   JudgedExercise judged;
   judged.rubric = &rubric;
   judged.cases.push_back({asked, std::move(judgement), outcome.output, outcome.output_bytes});

@@ -56,6 +56,21 @@ const char* flags_file(BuildKind kind) {
   return "flags.txt";
 }
 
+/// What connects a homework for Berkeley's skeleton with the worker. Where the student's header
+/// does not compile, neither do they, and the functions behind them are "not implemented".
+std::vector<std::string> adapter_files(Dialect dialect) {
+  switch (dialect) {
+    case Dialect::kMeshedit:
+      break;
+    case Dialect::kCourse2016:
+    case Dialect::kCourse2020:
+      return {"adapter.cpp"};
+    case Dialect::kCourse2017:
+      return {"adapter.cpp", "adapter_2017.cpp"};
+  }
+  return {};
+}
+
 class Builder {
  public:
   Builder(const Submission& submission, const Home& home, const Limits& limits, BuildKind kind)
@@ -67,17 +82,25 @@ class Builder {
   Build build() {
     for (const SourceFile& file : submission_.headers)
       write_file(path(file.name), file.text);
-    for (const SourceFile& file : submission_.sources)
-      write_file(path(file.name), file.text);
-    build_.files.resize(submission_.sources.size());
-    in_parallel(build_.files.size(), [&](std::size_t i) { compile(i); });
+    const std::size_t sources = submission_.sources.size();
+    const std::vector<std::string> adapters = adapter_files(submission_.dialect);
+    build_.files.resize(sources + adapters.size());
+    in_parallel(build_.files.size(), [&](std::size_t i) {
+      if (i < sources) {
+        compile_source(i);
+      } else {
+        compile_adapter(build_.files[i], adapters[i - sources]);
+      }
+    });
     link_all();
+    build_.files.resize(sources);
     build_.worker = path(kWorker);
     return std::move(build_);
   }
 
  private:
   static constexpr const char* kWorker = "worker";
+  static constexpr int kRounds = 8;
 
   fs::path path(const std::string& name) const { return build_.folder.path() / name; }
 
@@ -94,25 +117,63 @@ class Builder {
   std::string clean(std::string messages) const {
     replace_all(messages, build_.folder.path().string() + "/", "");
     replace_all(messages, home_.include.string() + "/", "");
+    replace_all(messages, home_.kit.string() + "/", "");
     return printable(messages);
   }
 
-  void compile(std::size_t i) {
-    BuiltFile& file = build_.files[i];
-    file.name = submission_.sources[i].name;
-    const ProcessResult result =
-        run_process(command({home_.compiler, flags_, "-I" + home_.include.string(),
-                             "-ffile-prefix-map=" + build_.folder.path().string() + "=.",
-                             "-include", (home_.kit / "precompiled.h").string(), "-c",
-                             file.name, "-o", object_name(file.name)}));
-    file.ok = result.ok();
-    file.messages = clean(result.output);
+  ProcessResult compile(const std::string& file, const std::string& object) const {
+    std::vector<std::string> arguments{
+        home_.compiler,
+        flags_,
+        "-I.",  // before the dropin folder, which has headers to stand in for the student's
+        "-I" + home_.include.string(),
+        "-ffile-prefix-map=" + build_.folder.path().string() + "=.",
+        "-include",
+        (home_.kit / "precompiled.h").string()};
+    add_dialect(arguments);
+    arguments.insert(arguments.end(), {"-c", file, "-o", object});
+    return run_process(command(std::move(arguments)));
+  }
+
+  void add_dialect(std::vector<std::string>& arguments) const {
+    if (submission_.dialect == Dialect::kMeshedit) return;
+    const fs::path dropin = home_.include / "dropin";
+    const bool old = submission_.dialect == Dialect::kCourse2017;
+    arguments.insert(arguments.end(), {"-I" + dropin.string(), "-include",
+                                       dropin / (old ? "course_2017.h" : "course.h")});
+  }
+
+  std::string messages_of(const ProcessResult& result) const {
     if (result.timed_out) {
-      file.messages = "compiling took longer than " + std::to_string(limits_.compile_seconds) +
-                      " seconds and was stopped\n";
-    } else if (!file.ok && file.messages.empty()) {
-      file.messages = "the compiler ended without a message\n";
+      return "compiling took longer than " + std::to_string(limits_.compile_seconds) +
+             " seconds and was stopped\n";
     }
+    if (!result.ok() && result.output.empty()) return "the compiler ended without a message\n";
+    return clean(result.output);
+  }
+
+  /// Leaves out functions that do not compile, until the rest does or none is left to blame.
+  void compile_source(std::size_t i) {
+    const SourceFile& source = submission_.sources[i];
+    BuiltFile& file = build_.files[i];
+    file.name = source.name;
+    LeavingOut rest(source.name, source.text);
+    if (submission_.dialect == Dialect::kCourse2016) rest.remove_members("BezierPatch");
+    write_file(path(file.name), rest.text());
+    ProcessResult result = compile(file.name, object_name(file.name));
+    file.messages = messages_of(result);
+    for (int round = 0; round < kRounds && !result.ok() && !result.timed_out; ++round) {
+      if (!rest.learn_from(clean(result.output))) break;
+      write_file(path(file.name), rest.text());
+      result = compile(file.name, object_name(file.name));
+    }
+    file.ok = result.ok();
+    if (file.ok) file.left_out = rest.left_out();
+  }
+
+  void compile_adapter(BuiltFile& file, const std::string& name) const {
+    file.name = "~" + name;  // no submitted file can have this name
+    file.ok = compile(home_.include / "dropin" / name, object_name(file.name)).ok();
   }
 
   /// Links the worker with these sources' objects.

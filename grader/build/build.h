@@ -7,6 +7,7 @@
 #include "grader/assignment/assignment.h"
 #include "grader/base/process.h"
 #include "grader/build/home.h"
+#include "grader/build/leave_out.h"
 #include "grader/submission/submission.h"
 
 namespace meshgrade {
@@ -16,6 +17,7 @@ struct BuiltFile {
   std::string name;
   bool ok = false;
   std::string messages;  ///< of the compiler or linker; also warnings of a file that compiled
+  std::vector<LeftOut> left_out;  ///< functions without which the file compiles
 };
 
 /// A worker that contains the student's functions; those that are missing answer "not
@@ -35,8 +37,9 @@ enum class BuildKind {
   kDebug,      ///< without optimization, for a debugger
 };
 
-/// Compiles every source on its own, several at a time, and links what compiled. A file that
-/// does not compile or link is left out and takes no other file with it.
+/// Compiles every source on its own, several at a time, and links what compiled. Functions that
+/// do not compile are left out; a file that does not compile or link even so is left out and
+/// takes no other file with it.
 /// @throws GraderError if not even the empty submission can be linked
 Build build_submission(const Submission& submission, const Home& home, const Limits& limits,
                        BuildKind kind = BuildKind::kGrading);

@@ -139,7 +139,13 @@ Report make_report(const Assignment& assignment, const Submission& submission,
   report.seed = assignment.seed;
   report.notes = submission.notes;
   for (const BuiltFile& file : files) {
-    report.files.push_back({file.name, file.ok, file.messages});
+    const bool whole = file.ok && file.left_out.empty();
+    report.files.push_back({file.name, whole, file.messages});
+    for (const LeftOut& left : file.left_out) {
+      report.notes.push_back(file.name + ":" + std::to_string(left.line) + ": " +
+                             left.function + " does not compile and is left out: " +
+                             left.message + "; the rest of the file is graded");
+    }
   }
   const SourceLines sources(submission);
   for (const JudgedExercise& judged : exercises) {

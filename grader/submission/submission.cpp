@@ -7,6 +7,7 @@
 
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
+#include "grader/submission/dialect.h"
 
 namespace meshgrade {
 namespace {
@@ -54,6 +55,16 @@ fs::path unwrap(fs::path folder) {
     folder = folders[0];
   }
   return folder;
+}
+
+/// The whole project of Berkeley's course has the homework in src/.
+fs::path enter_course_project(const fs::path& folder) {
+  std::error_code error;
+  const fs::path inner = folder / "src";
+  const bool is_project = !fs::exists(folder / "student_code.cpp", error) &&
+                          fs::is_directory(fs::symlink_status(inner, error)) &&
+                          fs::exists(inner / "student_code.cpp", error);
+  return is_project ? inner : folder;
 }
 
 /// The file's text, or a note why it is left out.
@@ -122,7 +133,7 @@ Submission find_submission(const fs::path& path, const SubmissionRules& rules) {
   Submission submission;
   submission.name = fs::weakly_canonical(path, error).filename().string();
   if (fs::is_directory(status)) {
-    submission.folder = unwrap(path);
+    submission.folder = enter_course_project(unwrap(path));
     for (const fs::path& file : list(submission.folder)) {
       if (!is_hidden(file)) add_file(file, rules, submission);
     }
@@ -130,6 +141,7 @@ Submission find_submission(const fs::path& path, const SubmissionRules& rules) {
     submission.folder = path.parent_path();
     add_file(path, rules, submission);
   }
+  settle_dialect(submission);
   if (submission.sources.empty()) {
     throw UserError(path.string() + ": no C++ source file (.cpp) to grade here" +
                     (submission.notes.empty() ? "" : "; " + submission.notes[0]));

@@ -14,6 +14,14 @@ struct SourceFile {
   std::string text;
 };
 
+/// The skeleton that the files were written for.
+enum class Dialect {
+  kMeshedit,    ///< ours
+  kCourse2016,  ///< Berkeley's of 2016, with Bezier functions of another form
+  kCourse2017,  ///< Berkeley's of 2017 to 2019
+  kCourse2020,  ///< Berkeley's since 2020
+};
+
 /// What was handed in, as far as it is looked at: the sources to compile and the headers that
 /// may come along. A copy in memory, so that later changes on disk do not matter.
 struct Submission {
@@ -21,12 +29,15 @@ struct Submission {
   std::filesystem::path folder;
   std::vector<SourceFile> sources;
   std::vector<SourceFile> headers;
-  std::vector<std::string> notes;  ///< what was left out, and why
+  Dialect dialect = Dialect::kMeshedit;
+  std::vector<SourceFile> course_headers;  ///< Berkeley's own, handed in along; not used
+  std::vector<std::string> notes;          ///< what was recognised; what was left out, and why
 };
 
 /// Collects the C++ files of a folder, or a single file. Folders below are not searched, but
-/// when the folder holds nothing than one other folder, that one is taken. Links, devices and
-/// files that are too large are left out with a note.
+/// when the folder holds nothing than one other folder, that one is taken, and in a project for
+/// Berkeley's skeleton its folder src. Links, devices and files that are too large are left out
+/// with a note.
 /// @throws UserError if there is nothing to grade
 Submission find_submission(const std::filesystem::path& path, const SubmissionRules& rules);
 

@@ -1,0 +1,74 @@
+#include "grader/app/compile_blame.h"
+
+#include <algorithm>
+
+namespace meshgrade {
+namespace {
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_exercise_function(const Assignment& assignment, const std::string& function) {
+  return std::any_of(assignment.exercises.begin(), assignment.exercises.end(),
+                     [&](const ExerciseRubric& rubric) {
+                       return holds(find_exercise_judge(rubric).functions, function);
+                     });
+}
+
+/// A function that was left out of its file because it does not compile answers "not
+/// implemented". Says what is true instead. A function of another exercise costs only that one.
+void blame_left_out_functions(const Assignment& assignment, const Build& build,
+                              const ExerciseJudge& judge, CaseJudgement& judgement) {
+  for (const BuiltFile& file : build.files) {
+    for (const LeftOut& left : file.left_out) {
+      const std::string why = "does not compile (" + file.name + ":" +
+                              std::to_string(left.line) + ": " + left.message + ")";
+      if (judgement.note == left.function + " is not implemented") {
+        judgement.note = left.function + " " + why;
+      } else if (judgement.note == "it calls " + left.function + ", which is not implemented") {
+        judgement.note = "it calls " + left.function + ", which " + why;
+      } else {
+        continue;
+      }
+      if (holds(judge.functions, left.function) ||
+          !is_exercise_function(assignment, left.function)) {
+        judgement.verdict = Verdict::kNotCompiled;
+      }
+      return;
+    }
+  }
+}
+
+/// "HalfedgeMesh::flipEdge is not implemented" is no surprise if its file does not compile.
+void blame_files_that_do_not_compile(const Submission& submission, const Build& build,
+                                     const ExerciseJudge& judge, CaseJudgement& judgement) {
+  for (const SourceFile& source : submission.sources) {
+    const BuiltFile* file = build.find(source.name);
+    if (file == nullptr || file->ok) continue;
+    for (const std::string& function : judge.functions) {
+      if (judgement.note.find(function) == std::string::npos ||
+          source.text.find(function) == std::string::npos) {
+        continue;
+      }
+      judgement.verdict = Verdict::kNotCompiled;
+      judgement.note = source.name + ", which holds " + function + ", does not compile";
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+void blame_compilation(const Assignment& assignment, const Submission& submission,
+                       const Build& build, const ExerciseJudge& judge,
+                       CaseJudgement& judgement) {
+  if (judgement.verdict != Verdict::kNotImplemented &&
+      judgement.verdict != Verdict::kNotJudged) {
+    return;
+  }
+  blame_files_that_do_not_compile(submission, build, judge, judgement);
+  blame_left_out_functions(assignment, build, judge, judgement);
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,110 @@
+#include "grader/build/leave_out.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "grader/base/text.h"
+#include "grader/build/function_extents.h"
+
+namespace meshgrade {
+namespace {
+
+struct Complaint {
+  int line = 0;
+  std::string message;
+};
+
+/// "edge_flip.cpp:12:5: error: expected ';'" gives 12 and "expected ';'".
+std::vector<Complaint> complaints_about(const std::string& file, const std::string& messages) {
+  std::vector<Complaint> complaints;
+  const std::string start = file + ":";
+  for (const std::string& line : split_lines(messages)) {
+    if (line.rfind(start, 0) != 0) continue;
+    for (const std::string mark : {": error: ", ": fatal error: "}) {
+      const std::size_t found = line.find(mark);
+      if (found == std::string::npos) continue;
+      complaints.push_back(
+          {std::atoi(line.c_str() + start.size()), line.substr(found + mark.size())});
+      break;
+    }
+  }
+  return complaints;
+}
+
+int line_of(const std::string& text, std::size_t offset) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size()));
+  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+}
+
+bool holds(const FunctionExtent& function, const std::string& text, int line) {
+  return line_of(text, function.begin) <= line && line <= line_of(text, function.end);
+}
+
+/// Replaces a part of the text by `code`, with the line ends that were there.
+void replace_part(std::string& text, std::size_t begin, std::size_t end,
+                  const std::string& code) {
+  std::string lines;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (text[i] == '\n') lines += '\n';
+  }
+  text.replace(begin, end - begin, code + lines);
+}
+
+const LeftOut* find(const std::vector<LeftOut>& list, const std::string& function) {
+  const auto found = std::find_if(
+      list.begin(), list.end(), [&](const LeftOut& item) { return item.function == function; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+/// The functions to blame, each with its first complaint.
+std::vector<std::pair<FunctionExtent, Complaint>> to_blame(
+    const std::string& text, const std::vector<Complaint>& complaints) {
+  const std::vector<FunctionExtent> functions = find_functions(text);
+  const bool any_unbalanced = std::any_of(functions.begin(), functions.end(),
+                                          [](const auto& f) { return !f.balanced; });
+  std::vector<std::pair<FunctionExtent, Complaint>> blamed;
+  for (const FunctionExtent& function : functions) {
+    if (any_unbalanced) {
+      if (!function.balanced) {
+        blamed.push_back(
+            {function, {line_of(text, function.body), "its braces { } do not match"}});
+      }
+      continue;
+    }
+    const auto first =
+        std::find_if(complaints.begin(), complaints.end(),
+                     [&](const Complaint& c) { return holds(function, text, c.line); });
+    if (first != complaints.end()) blamed.push_back({function, *first});
+  }
+  return blamed;
+}
+
+}  // namespace
+
+bool LeavingOut::learn_from(const std::string& messages) {
+  auto blamed = to_blame(text_, complaints_about(file_, messages));
+  std::reverse(blamed.begin(), blamed.end());  // so that offsets before stay right
+  for (const auto& [function, complaint] : blamed) {
+    if (find(left_out_, function.name) != nullptr) {
+      replace_part(text_, function.begin, function.end, "");
+      continue;
+    }
+    replace_part(text_, function.body, function.end,
+                 "{ ::meshedit::notImplemented(\"" + function.name + "\"); }");
+    left_out_.push_back({function.name, complaint.line, complaint.message});
+  }
+  std::sort(left_out_.begin(), left_out_.end(),
+            [](const LeftOut& a, const LeftOut& b) { return a.line < b.line; });
+  return !blamed.empty();
+}
+
+void LeavingOut::remove_members(const std::string& class_name) {
+  std::vector<FunctionExtent> functions = find_functions(text_);
+  std::reverse(functions.begin(), functions.end());
+  for (const FunctionExtent& function : functions) {
+    if (function.name.rfind(class_name + "::", 0) != 0) continue;
+    replace_part(text_, function.begin, function.end, "");
+  }
+}
+
+}  // namespace meshgrade

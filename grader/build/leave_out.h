@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace meshgrade {
+
+/// A function that does not compile.
+struct LeftOut {
+  std::string function;  ///< "HalfedgeMesh::flipEdge"
+  int line = 0;          ///< of the first complaint about it
+  std::string message;   ///< that complaint
+};
+
+/// Takes functions that do not compile out of a source, so that the others can be graded. The
+/// lines that stay keep their numbers.
+class LeavingOut {
+ public:
+  /// @param file  the file's name in the compiler's messages
+  LeavingOut(std::string file, std::string text)
+      : file_(std::move(file)), text_(std::move(text)) {}
+
+  /// What is left of the source.
+  const std::string& text() const { return text_; }
+  const std::vector<LeftOut>& left_out() const { return left_out_; }
+
+  /// Takes out the functions that these messages complain about. At first only the body goes,
+  /// and calling the function answers "not implemented"; a function that is complained about
+  /// again goes as a whole. Functions whose braces are out of order go before all others, since
+  /// then the compiler complains at the wrong place.
+  /// @return false if no function is to blame
+  bool learn_from(const std::string& messages);
+
+  /// Takes out all members of a class.
+  void remove_members(const std::string& class_name);
+
+ private:
+  std::string file_;
+  std::string text_;
+  std::vector<LeftOut> left_out_;
+};
+
+}  // namespace meshgrade
