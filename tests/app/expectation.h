@@ -1,0 +1,48 @@
+#pragma once
+
+// What a submission in tests/submissions must be told. Its folder says it in expected.toml:
+//
+//   verdict = "failed"          of the exercise
+//   rule = "anchor"             of the finding that the student sees first; none if left out
+//   points = 14                 without extra credit
+//   extra_points = 5            nothing is asked if left out
+//   says = ["h4.next"]          texts that the student's page on the exercise contains
+//
+//   [others]                    other exercises that are graded along, and their verdicts
+//   edge_split = "passed"
+//
+//   [limits]                    tighter limits than the assignment's, to be quick
+//   run_seconds = 1
+//
+// A folder in right/ needs the file only if it does not get all the extra credit (points and
+// extra_points are then of the whole assignment) or if it is complete, without the reference:
+//
+//   alone = true
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "grader/assignment/assignment.h"
+
+namespace meshgrade {
+
+struct Expectation {
+  std::string verdict = "passed";
+  std::string rule;
+  std::optional<double> points;
+  std::optional<double> extra_points;
+  std::vector<std::string> says;
+  std::map<std::string, std::string> others;
+  bool alone = false;
+  std::vector<std::pair<std::uint32_t Limits::*, std::uint32_t>> limits;
+};
+
+/// Reads expected.toml of this folder; what is not there keeps its standard value.
+/// @throws std::runtime_error for a file that is no TOML or has an unknown key
+Expectation read_expectation(const std::filesystem::path& folder);
+
+}  // namespace meshgrade

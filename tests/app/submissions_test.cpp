@@ -1,0 +1,177 @@
+// Proves the grader with submissions that are known to be right or wrong. Every folder in
+// tests/submissions is a test: its files take the place of those of the reference, and the
+// report must say what the folder's expected.toml says (see expectation.h).
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "grader/app/context.h"
+#include "grader/app/grading.h"
+#include "grader/report/terminal_report.h"
+#include "tests/app/expectation.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kSource = MESHGRADE_SOURCE_DIR;
+const fs::path kSubmissions = kSource / "tests" / "submissions";
+
+/// A folder as GoogleTest's parameter: it prints as its name.
+struct Folder {
+  fs::path path;
+};
+
+void PrintTo(const Folder& folder,
+             std::ostream* out) {  // NOLINT(readability-identifier-naming)
+  *out << folder.path.lexically_relative(kSubmissions).string();
+}
+
+std::vector<Folder> folders_in(const fs::path& parent) {
+  std::vector<Folder> folders;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parent)) {
+    if (entry.is_directory()) folders.push_back({entry.path()});
+  }
+  std::sort(folders.begin(), folders.end(),
+            [](const Folder& a, const Folder& b) { return a.path < b.path; });
+  return folders;
+}
+
+std::vector<Folder> wrong_submissions() {
+  std::vector<Folder> all;
+  for (const Folder& exercise : folders_in(kSubmissions / "wrong")) {
+    for (Folder& folder : folders_in(exercise.path))
+      all.push_back(std::move(folder));
+  }
+  return all;
+}
+
+/// The name of the test: "edge_flip_next_wrong".
+std::string test_name(const testing::TestParamInfo<Folder>& info) {
+  const fs::path& path = info.param.path;
+  const std::string parent = path.parent_path().filename().string();
+  const std::string name = path.filename().string();
+  return parent == "right" ? name : parent + "_" + name;
+}
+
+void put(std::vector<SourceFile>& files, const SourceFile& file) {
+  const auto same_name = [&](const SourceFile& other) { return other.name == file.name; };
+  const auto found = std::find_if(files.begin(), files.end(), same_name);
+  if (found == files.end()) {
+    files.push_back(file);
+  } else {
+    *found = file;
+  }
+}
+
+/// The files of the folder, with those of the reference for what it does not hold.
+Submission submission_in(const fs::path& folder, bool alone, const SubmissionRules& rules) {
+  const Submission own = find_submission(folder, rules);
+  if (alone) return own;
+  Submission whole = find_submission(kSource / "reference", rules);
+  whole.name = own.name;
+  whole.headers = own.headers;
+  for (const SourceFile& source : own.sources)
+    put(whole.sources, source);
+  return whole;
+}
+
+/// Leaves out what these exercises do not use, to be quick. All but the Bezier ones and the
+/// normal may flip and split edges.
+void drop_other_files(Submission& submission, const std::vector<std::string>& exercises) {
+  const auto is_used = [&](const SourceFile& file) {
+    return file.name.rfind("edge_", 0) == 0 ||
+           std::find(exercises.begin(), exercises.end(), fs::path(file.name).stem().string()) !=
+               exercises.end();
+  };
+  auto& files = submission.sources;
+  files.erase(std::remove_if(files.begin(), files.end(), std::not_fn(is_used)), files.end());
+}
+
+Report grade_folder(const fs::path& folder, const Expectation& expected,
+                    const std::vector<std::string>& exercises) {
+  Assignment assignment = read_assignment(standard_assignment());
+  for (const auto& [limit, value] : expected.limits)
+    assignment.limits.*limit = value;
+  Submission submission = submission_in(folder, expected.alone, assignment.submission);
+  if (!exercises.empty()) drop_other_files(submission, exercises);
+  return grade(assignment, submission, find_home(), exercises, [](const std::string&) {});
+}
+
+/// What a student reads about one exercise.
+std::string page_on(const ExerciseReport& exercise, Report report) {
+  report.exercises = {exercise};
+  return to_terminal(report, {});
+}
+
+/// The name on the page's first line "rule"; empty if there is none.
+std::string first_rule(const std::string& page) {
+  const std::string label = "\n    rule      ";
+  const std::size_t start = page.find(label);
+  if (start == std::string::npos) return {};
+  const std::size_t name = start + label.size();
+  return page.substr(name, page.find_first_of(":\n", name) - name);
+}
+
+class WrongSubmission : public testing::TestWithParam<Folder> {
+ protected:
+  std::string exercise_ = GetParam().path.parent_path().filename().string();
+
+  void judge(const ExerciseReport& exercise, const Expectation& expected,
+             const std::string& page) const {
+    EXPECT_EQ(verdict_name(exercise.verdict), expected.verdict);
+    EXPECT_EQ(first_rule(page), expected.rule);
+    ASSERT_TRUE(expected.points) << "expected.toml must say how many points are given";
+    EXPECT_EQ(exercise.points, *expected.points);
+    EXPECT_EQ(exercise.extra_points, expected.extra_points.value_or(exercise.extra_points));
+    for (const std::string& text : expected.says)
+      EXPECT_NE(page.find(text), std::string::npos) << "the page does not say: " << text;
+  }
+};
+
+TEST_P(WrongSubmission, IsFoundOut) {
+  const Expectation expected = read_expectation(GetParam().path);
+  std::vector<std::string> exercises{exercise_};
+  for (const auto& [other, verdict] : expected.others)
+    exercises.push_back(other);
+  const Report report = grade_folder(GetParam().path, expected, exercises);
+  for (const ExerciseReport& exercise : report.exercises) {
+    const std::string page = page_on(exercise, report);
+    SCOPED_TRACE(page);
+    if (exercise.name == exercise_) {
+      judge(exercise, expected, page);
+    } else {
+      EXPECT_EQ(verdict_name(exercise.verdict), expected.others.at(exercise.name));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Submissions, WrongSubmission, testing::ValuesIn(wrong_submissions()),
+                         test_name);
+
+class RightSubmission : public testing::TestWithParam<Folder> {};
+
+TEST_P(RightSubmission, GetsFullPoints) {
+  const Expectation expected = read_expectation(GetParam().path);
+  const Report report = grade_folder(GetParam().path, expected, {});
+  const std::string page = to_terminal(report, {});
+  SCOPED_TRACE(page);
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_EQ(report.extra_points, expected.extra_points.value_or(report.max_extra_points));
+  const std::string everything = to_terminal(report, {false, true});
+  for (const std::string& text : expected.says)
+    EXPECT_NE(everything.find(text), std::string::npos) << "the report does not say: " << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Submissions, RightSubmission,
+                         testing::ValuesIn(folders_in(kSubmissions / "right")), test_name);
+
+}  // namespace
+}  // namespace meshgrade

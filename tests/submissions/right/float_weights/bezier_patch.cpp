@@ -1,0 +1,36 @@
+// Right: computes in float.
+#include "meshedit/meshedit.h"
+
+namespace meshedit {
+
+std::vector<Vector3D> BezierPatch::evaluateStep(const std::vector<Vector3D>& points,
+                                                double t) const {
+  std::vector<Vector3D> next;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const float s = static_cast<float>(t);
+    const Vector3D& p = points[i];
+    const Vector3D& q = points[i + 1];
+    next.emplace_back(static_cast<float>((1 - s) * p.x + s * q.x),
+                      static_cast<float>((1 - s) * p.y + s * q.y),
+                      static_cast<float>((1 - s) * p.z + s * q.z));
+  }
+  return next;
+}
+
+Vector3D BezierPatch::evaluate1D(const std::vector<Vector3D>& points, double t) const {
+  std::vector<Vector3D> level = points;
+  while (level.size() > 1) {
+    level = evaluateStep(level, t);
+  }
+  return level.front();
+}
+
+Vector3D BezierPatch::evaluate(double u, double v) const {
+  std::vector<Vector3D> column;
+  for (const std::vector<Vector3D>& row : controlPoints) {
+    column.push_back(evaluate1D(row, u));
+  }
+  return evaluate1D(column, v);
+}
+
+}  // namespace meshedit

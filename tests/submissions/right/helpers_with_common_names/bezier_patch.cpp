@@ -1,0 +1,39 @@
+// Right: helpers of its own, with names that many choose.
+#include "meshedit/meshedit.h"
+
+namespace meshedit {
+
+Vector3D lerp(Vector3D a, Vector3D b, double t) {
+  return a + t * (b - a);
+}
+
+Vector3D lerp3D(Vector3D a, Vector3D b, double t) {
+  return lerp(a, b, t);
+}
+
+std::vector<Vector3D> BezierPatch::evaluateStep(const std::vector<Vector3D>& points,
+                                                double t) const {
+  std::vector<Vector3D> next;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    next.push_back(lerp3D(points[i], points[i + 1], t));
+  }
+  return next;
+}
+
+Vector3D BezierPatch::evaluate1D(const std::vector<Vector3D>& points, double t) const {
+  std::vector<Vector3D> level = points;
+  while (level.size() > 1) {
+    level = evaluateStep(level, t);
+  }
+  return level.front();
+}
+
+Vector3D BezierPatch::evaluate(double u, double v) const {
+  std::vector<Vector3D> column;
+  for (const std::vector<Vector3D>& row : controlPoints) {
+    column.push_back(evaluate1D(row, u));
+  }
+  return evaluate1D(column, v);
+}
+
+}  // namespace meshedit

@@ -1,0 +1,16 @@
+// Wrong: the part of the way is computed in whole numbers.
+#include "meshedit/meshedit.h"
+
+namespace meshedit {
+
+std::vector<Vector2D> BezierCurve::evaluateStep(const std::vector<Vector2D>& points) {
+  const int percent = static_cast<int>(100 * t);
+  const double s = percent / 100;
+  std::vector<Vector2D> next;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    next.push_back((1.0 - s) * points[i] + s * points[i + 1]);
+  }
+  return next;
+}
+
+}  // namespace meshedit

@@ -1,0 +1,35 @@
+// Wrong: takes columns for rows.
+#include "meshedit/meshedit.h"
+
+namespace meshedit {
+
+std::vector<Vector3D> BezierPatch::evaluateStep(const std::vector<Vector3D>& points,
+                                                double t) const {
+  std::vector<Vector3D> next;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    next.push_back((1.0 - t) * points[i] + t * points[i + 1]);
+  }
+  return next;
+}
+
+Vector3D BezierPatch::evaluate1D(const std::vector<Vector3D>& points, double t) const {
+  std::vector<Vector3D> level = points;
+  while (level.size() > 1) {
+    level = evaluateStep(level, t);
+  }
+  return level.front();
+}
+
+Vector3D BezierPatch::evaluate(double u, double v) const {
+  std::vector<Vector3D> row;
+  for (std::size_t j = 0; j < controlPoints[0].size(); ++j) {
+    std::vector<Vector3D> column;
+    for (std::size_t i = 0; i < controlPoints.size(); ++i) {
+      column.push_back(controlPoints[i][j]);
+    }
+    row.push_back(evaluate1D(column, u));
+  }
+  return evaluate1D(row, v);
+}
+
+}  // namespace meshedit
