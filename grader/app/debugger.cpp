@@ -43,16 +43,17 @@ std::vector<std::string> debugger_command(const Build& build,
 }
 
 /// Runs in the new process. gdb hands the descriptors on to the worker.
-[[noreturn]] void become_debugger(std::vector<std::string> command, int tasks, int results) {
+[[noreturn]] void become_debugger(std::vector<std::string> command, int tasks, int results,
+                                  int output) {
   // Out of the way first, so that none is overwritten before it has been copied.
   constexpr int kSafe = 100;
   const int sources[] = {::fcntl(tasks, F_DUPFD, kSafe), ::fcntl(results, F_DUPFD, kSafe),
-                         STDOUT_FILENO};
+                         ::fcntl(output, F_DUPFD, kSafe)};
   const int targets[] = {kTaskFile, kResultFile, kOutputFile};
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i) {
     ::dup2(sources[i], targets[i]);
-  ::close(sources[0]);
-  ::close(sources[1]);
+    ::close(sources[i]);
+  }
   std::vector<char*> arguments;
   for (std::string& argument : command)
     arguments.push_back(argument.data());
@@ -79,10 +80,13 @@ int run_debugger(const Build& build, const FileDescriptor& tasks,
                  const std::vector<std::string>& functions,
                  const std::filesystem::path& sources) {
   const FileDescriptor results = make_scratch_file();
+  const FileDescriptor hidden = make_scratch_file();
+  // The worker empties its output after each case, which a terminal does not mind.
+  const int output = ::isatty(STDOUT_FILENO) != 0 ? STDOUT_FILENO : hidden.get();
   const std::vector<std::string> command = debugger_command(build, functions, sources);
   const pid_t child = ::fork();
   if (child < 0) throw GraderError("cannot start gdb: no process can be made");
-  if (child == 0) become_debugger(command, tasks.get(), results.get());
+  if (child == 0) become_debugger(command, tasks.get(), results.get(), output);
   const auto before = std::signal(SIGINT, SIG_IGN);  // Ctrl-C is for gdb
   const int status = wait_for(child);
   std::signal(SIGINT, before);

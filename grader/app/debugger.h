@@ -14,7 +14,7 @@ void require_debugger();
 
 /// Runs a worker on these tasks in gdb, which stops at each call of the functions, such as
 /// "HalfedgeMesh::flipEdge", and takes commands from the keyboard until the person ends it.
-/// What the student's code prints goes to stdout.
+/// What the student's code prints goes to the terminal, if there is one.
 /// @param sources where gdb finds the student's files
 /// @return gdb's exit status
 /// @throws GraderError if gdb cannot be started

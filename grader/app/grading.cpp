@@ -13,24 +13,6 @@
 namespace meshgrade {
 namespace {
 
-std::vector<const ExerciseRubric*> choose_exercises(const Assignment& assignment,
-                                                    const std::vector<std::string>& names) {
-  std::vector<const ExerciseRubric*> chosen;
-  std::vector<std::string> known;
-  for (const ExerciseRubric& rubric : assignment.exercises) {
-    known.push_back(rubric.name);
-    const bool wanted = std::find(names.begin(), names.end(), rubric.name) != names.end();
-    if (names.empty() || wanted) chosen.push_back(&rubric);
-  }
-  for (const std::string& name : names) {
-    if (assignment.find(name) == nullptr) {
-      throw UserError("\"" + name + "\" is no exercise of this assignment; there are " +
-                      join(known, ", "));
-    }
-  }
-  return chosen;
-}
-
 /// Judges the cases of one exercise in order.
 std::vector<CaseJudgement> judge_all(const Assignment& assignment, const ExerciseRubric& rubric,
                                      const std::vector<const Case*>& cases,
@@ -133,6 +115,24 @@ void point_to_causes(std::vector<JudgedExercise>& exercises) {
 }
 
 }  // namespace
+
+std::vector<const ExerciseRubric*> choose_exercises(const Assignment& assignment,
+                                                    const std::vector<std::string>& names) {
+  std::vector<const ExerciseRubric*> chosen;
+  std::vector<std::string> known;
+  for (const ExerciseRubric& rubric : assignment.exercises) {
+    known.push_back(rubric.name);
+    const bool wanted = std::find(names.begin(), names.end(), rubric.name) != names.end();
+    if (names.empty() || wanted) chosen.push_back(&rubric);
+  }
+  for (const std::string& name : names) {
+    if (assignment.find(name) == nullptr) {
+      throw UserError("\"" + name + "\" is no exercise of this assignment; there are " +
+                      join(known, ", "));
+    }
+  }
+  return chosen;
+}
 
 Report grade(const Assignment& assignment, const Submission& submission, const Home& home,
              const std::vector<std::string>& exercises, const Progress& progress) {

@@ -16,6 +16,11 @@ namespace meshgrade {
 /// Told what is going on, for people who wait: "compiling 6 files".
 using Progress = std::function<void(const std::string& what)>;
 
+/// The exercises of these names, in the order of the assignment; all of them for no names.
+/// @throws UserError if an exercise is not part of the assignment
+std::vector<const ExerciseRubric*> choose_exercises(const Assignment& assignment,
+                                                    const std::vector<std::string>& names);
+
 /// The whole way from a submission to its report. `exercises` names those to grade; empty: all.
 /// @throws UserError if an exercise is not part of the assignment
 /// @throws GraderError if the grader itself fails

@@ -4,9 +4,12 @@
 
 #include "grader/app/check_command.h"
 #include "grader/app/dev_check_command.h"
+#include "grader/app/hint_command.h"
+#include "grader/app/list_command.h"
 #include "grader/app/mesh_info_command.h"
 #include "grader/app/replay_command.h"
 #include "grader/app/subdivide_command.h"
+#include "grader/app/watch_command.h"
 #include "grader/base/errors.h"
 
 namespace {
@@ -21,7 +24,10 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string("meshgrade ") + MESHGRADE_VERSION);
   meshgrade::add_check_command(app, exit_code);
+  meshgrade::add_watch_command(app, exit_code);
   meshgrade::add_replay_command(app, exit_code);
+  meshgrade::add_hint_command(app, exit_code);
+  meshgrade::add_list_command(app, exit_code);
   meshgrade::add_subdivide_command(app, exit_code);
   meshgrade::add_mesh_info_command(app, exit_code);
   meshgrade::add_dev_check_command(app, exit_code);
