@@ -1,8 +1,6 @@
 #include "grader/cases/mesh_shapes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace meshgrade {
 
@@ -28,31 +26,6 @@ PolygonMesh jittered(const PolygonMesh& mesh, double amount, Random& random) {
   return mapped(mesh, [&](const Point3& p) {
     return Point3{move(p[0]), move(2.0 * p[1]), move(0.5 * p[2])};
   });
-}
-
-PolygonMesh make_torus(std::uint32_t rings, std::uint32_t sides) {
-  PolygonMesh mesh;
-  const auto angle = [](std::uint32_t i, std::uint32_t n) {
-    return 2.0 * std::numbers::pi * i / n;
-  };
-  for (std::uint32_t i = 0; i < rings; ++i) {
-    for (std::uint32_t j = 0; j < sides; ++j) {
-      const double u = angle(i, rings);
-      const double v = angle(j, sides);
-      const double radius = 3.0 + std::cos(v);
-      mesh.positions.push_back({radius * std::cos(u), radius * std::sin(u), std::sin(v)});
-    }
-  }
-  for (std::uint32_t i = 0; i < rings; ++i) {
-    for (std::uint32_t j = 0; j < sides; ++j) {
-      const auto at = [&](std::uint32_t di, std::uint32_t dj) {
-        return (i + di) % rings * sides + (j + dj) % sides;
-      };
-      mesh.polygons.push_back({at(0, 0), at(1, 0), at(1, 1)});
-      mesh.polygons.push_back({at(0, 0), at(1, 1), at(0, 1)});
-    }
-  }
-  return in_build_order(mesh);
 }
 
 TriangleSet::TriangleSet(const PolygonMesh& mesh)

@@ -34,9 +34,6 @@ PolygonMesh mapped(PolygonMesh mesh, Map map) {
 /// that no two faces or angles are alike.
 PolygonMesh jittered(const PolygonMesh& mesh, double amount, Random& random);
 
-/// A torus around the z axis with 2 * rings * sides triangles.
-PolygonMesh make_torus(std::uint32_t rings, std::uint32_t sides);
-
 /// The triangles of a mesh, indexed by their directed edges.
 class TriangleSet {
  public:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "grader/judge/finding.h"
 #include "grader/mesh/mesh_rules.h"
@@ -14,15 +15,15 @@ Finding to_finding(const RuleBreak& rule_break, const std::string& where);
 inline Finding make_finding(std::string rule, std::string meaning, std::string where,
                             std::string element, std::string expected, std::string actual,
                             std::string look_at) {
-  return {std::move(rule),
-          std::move(meaning),
-          std::move(where),
-          std::move(element),
-          std::move(expected),
-          std::move(actual),
-          std::move(look_at),
-          {},
-          {}};
+  Finding finding;
+  finding.rule = std::move(rule);
+  finding.meaning = std::move(meaning);
+  finding.where = std::move(where);
+  finding.element = std::move(element);
+  finding.expected = std::move(expected);
+  finding.actual = std::move(actual);
+  finding.look_at = std::move(look_at);
+  return finding;
 }
 
 /// "1.2e-02 of the mesh's diagonal (allowed: 1e-05)"

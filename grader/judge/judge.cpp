@@ -7,6 +7,7 @@
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
+#include "grader/judge/findings.h"
 #include "meshedit/fault.h"
 
 namespace meshgrade {
@@ -96,15 +97,10 @@ void judge_fault(const ExerciseJudge& judge, const Outcome& outcome, CaseJudgeme
   const std::string what = endless ? "the code used handles more often than any good solution: "
                                      "it was stopped"
                                    : "a " + outcome.subject + " " + meshedit::describe(kind);
-  judgement.findings.push_back({words.rule,
-                                words.meaning,
-                                "",
-                                outcome.subject,
-                                words.meaning,
-                                what,
-                                words.advice,
-                                outcome.stack,
-                                {}});
+  Finding finding =
+      make_finding(words.rule, words.meaning, "", outcome.subject, "", what, words.advice);
+  finding.stack = outcome.stack;
+  judgement.findings.push_back(std::move(finding));
 }
 
 /// All endings but kDone and kFault.
@@ -151,15 +147,10 @@ void judge_steps(const ExerciseJudge& judge, const JudgeTask& task, Conventions&
   try {
     judge.judge_steps(task, conventions, judgement);
   } catch (const WireError& error) {
-    judgement.findings.push_back({"malformed",
-                                  "the worker writes down what the code left behind",
-                                  "",
-                                  "",
-                                  "a well-formed result",
-                                  std::string("a result that cannot be read: ") + error.what(),
-                                  "does the code write over memory that is not its own?",
-                                  {},
-                                  {}});
+    judgement.findings.push_back(make_finding(
+        "malformed", "the worker writes down what the code left behind", "", "",
+        "a well-formed result", std::string("a result that cannot be read: ") + error.what(),
+        "does the code write over memory that is not its own?"));
   }
 }
 

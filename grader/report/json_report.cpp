@@ -25,8 +25,7 @@ Json to_value(const PointerTable& table) {
 }
 
 Json to_value(const PointerDiff& diff) {
-  Json value{
-      {"corners", diff.corners}, {"missing", diff.missing}, {"surplus", diff.surplus}};
+  Json value{{"corners", diff.corners}, {"missing", diff.missing}, {"surplus", diff.surplus}};
   value["wrong"] = Json::array();
   for (const WrongPointer& pointer : diff.wrong) {
     value["wrong"].push_back({{"pointer", pointer.name},
@@ -47,6 +46,10 @@ Json to_value(const FindingReport& report) {
              {"where", finding.where},       {"element", finding.element},
              {"expected", finding.expected}, {"actual", finding.actual},
              {"look_at", finding.look_at}};
+  value["likely"] = Json::array();
+  for (const Misconception& m : finding.likely) {
+    value["likely"].push_back({{"name", m.name}, {"advice", m.advice}});
+  }
   value["stack"] = Json::array();
   for (const CodePlace& place : report.places) {
     value["stack"].push_back({{"function", place.function},

@@ -168,6 +168,9 @@ class TerminalReport {
     add_field("at", f.element);
     add_field("expected", f.expected);
     add_field("yours", f.actual);
+    for (const Misconception& m : f.likely) {
+      add_field(&m == f.likely.data() ? "probably" : "or", m.advice);
+    }
     add_field("look at", f.look_at);
     for (const CodePlace& place : report.places) {
       add_field(&place == report.places.data() ? "in" : "called by",

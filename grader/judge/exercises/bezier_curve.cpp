@@ -11,6 +11,26 @@
 namespace meshgrade {
 namespace {
 
+/// What one step gives to those who misunderstand it.
+std::vector<Prediction<Point2>> predict(const std::vector<Point2>& given, double t) {
+  const std::vector<Point2> halfway = de_casteljau_step(given, t);
+  return {
+      {{"t-swapped", "t and 1 - t are swapped: at t = 0 the result begins at points[i]"},
+       de_casteljau_step(given, 1.0 - t)},
+      {{"t-ignored", "the points are always halved: the member t is not used"},
+       de_casteljau_step(given, 0.5)},
+      {{"t-truncated", "t has become a whole number: 0"}, de_casteljau_step(given, 0.0)},
+      {{"whole-curve",
+        "this is the point of the whole curve: evaluateStep makes one level only, and whoever "
+        "calls it repeats it"},
+       {bernstein(given, t)}},
+      {{"two-steps", "the step was applied twice"}, de_casteljau_step(halfway, t)},
+      {{"unchanged", "the points are returned as they came"}, given},
+      {{"not-computed", "all points are (0, 0): were they computed?"},
+       std::vector<Point2>(given.size() - 1)},
+  };
+}
+
 class StepsJudge {
  public:
   StepsJudge(const JudgeTask& task, CurveInput input, CaseJudgement& judgement)
@@ -21,7 +41,12 @@ class StepsJudge {
     where_ = input_.steps == 1 ? ""
                                : "in step " + std::to_string(index + 1) + " of " +
                                      std::to_string(input_.steps);
-    return leaves_input(given, step) && has_count(given, step) && has_values(given, step);
+    if (leaves_input(given, step) && has_count(given, step) && has_values(given, step)) {
+      return true;
+    }
+    judgement_.findings.back().likely = recognize(predict(given, input_.t), step.result,
+                                                  task_.tolerance * extent(input_.points));
+    return false;
   }
 
   /// The last point against the closed form of the whole curve.

@@ -53,6 +53,54 @@ std::vector<Point3> expected_result(const PatchInput& input, double u, double v)
   return {};
 }
 
+using Predictions = std::vector<Prediction<Point3>>;
+
+Predictions predict_step(const std::vector<Point3>& row, double t) {
+  return {
+      {{"t-swapped", "t and 1 - t are swapped"}, de_casteljau_step(row, 1.0 - t)},
+      {{"t-truncated", "t has become a whole number: 0"}, de_casteljau_step(row, 0.0)},
+      {{"whole-curve", "this is the point of the whole curve; evaluateStep makes one level"},
+       {bernstein(row, t)}},
+      {{"two-steps", "the step was applied twice"},
+       de_casteljau_step(de_casteljau_step(row, t), t)}};
+}
+
+Predictions predict_line(const std::vector<Point3>& row, double t) {
+  const std::vector<Point3> level = de_casteljau_step(row, t);
+  return {{{"t-swapped", "t and 1 - t are swapped"}, {bernstein(row, 1.0 - t)}},
+          {{"first-level", "this is the first point after one level: repeat until one is left"},
+           {level.front()}},
+          {{"last-of-first-level",
+            "this is the last point after one level: repeat until one is left"},
+           {level.back()}},
+          {{"first-point", "this is the first control point"}, {row.front()}},
+          {{"last-point", "this is the last control point"}, {row.back()}},
+          {{"not-computed", "this is (0, 0, 0): was it computed?"}, {Point3{}}}};
+}
+
+Predictions predict_surface(const std::vector<std::vector<Point3>>& net, double u, double v) {
+  return {{{"uv-swapped", "u and v are swapped: rows are evaluated at u, their results at v"},
+           {tensor_bernstein(net, v, u)}},
+          {{"t-swapped", "t and 1 - t are swapped"}, {tensor_bernstein(net, 1.0 - u, 1.0 - v)}},
+          {{"u-twice", "u is used in both directions"}, {tensor_bernstein(net, u, u)}},
+          {{"v-twice", "v is used in both directions"}, {tensor_bernstein(net, v, v)}},
+          {{"first-row", "this is a point of the first row only"}, {bernstein(net.front(), u)}},
+          {{"last-row", "this is a point of the last row only"}, {bernstein(net.back(), u)}},
+          {{"not-computed", "this is (0, 0, 0): was it computed?"}, {Point3{}}}};
+}
+
+Predictions predict(const PatchInput& input, double u, double v) {
+  switch (input.function) {
+    case PatchFunction::kStep:
+      return predict_step(input.net[0], u);
+    case PatchFunction::kLine:
+      return predict_line(input.net[0], u);
+    case PatchFunction::kSurface:
+      return predict_surface(input.net, u, v);
+  }
+  return {};
+}
+
 std::string place_text(const PatchInput& input, std::array<double, 2> place) {
   if (input.function != PatchFunction::kSurface) return "t = " + number_text(place[0]);
   return "u = " + number_text(place[0]) + ", v = " + number_text(place[1]);
@@ -72,15 +120,19 @@ void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t in
   const std::vector<Point3> expected = expected_result(input, place[0], place[1]);
   const std::string where = "at " + place_text(input, place);
   const std::string name = function_name(input.function);
+  const double size = size_of(input);
+  const auto likely = [&] {
+    return recognize(predict(input, place[0], place[1]), actual, task.tolerance * size);
+  };
   judgement.verdict = Verdict::kFailed;
   if (actual.size() != expected.size()) {
     judgement.findings.push_back(
         make_finding("count", "one step makes n - 1 points out of n", where, "the result",
                      plural(expected.size(), "point"), plural(actual.size(), "point"),
                      "the bounds of the loop and the list that is returned, in " + name));
+    judgement.findings.back().likely = likely();
     return;
   }
-  const double size = size_of(input);
   const WorstPoint worst = worst_point(expected, actual);
   if (worst.error <= task.tolerance * size) {
     judgement.verdict = Verdict::kPassed;
@@ -94,6 +146,7 @@ void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t in
                                             point_text(actual[worst.index]) + ", off by " +
                                                 error_text(worst.error, size, task.tolerance),
                                             "BezierPatch::" + name));
+  judgement.findings.back().likely = likely();
 }
 
 void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,

@@ -5,6 +5,7 @@
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
+#include "grader/judge/loop_misconceptions.h"
 #include "grader/judge/options.h"
 #include "grader/judge/point_compare.h"
 #include "grader/judge/surface_match.h"
@@ -28,12 +29,6 @@ constexpr Variant kVariants[] = {
     {"Loop's weights", VertexRule::kLoop, CornerRule::kSmooth},
     {"Warren's weights, fixed corners", VertexRule::kWarren, CornerRule::kCorner},
     {"Loop's weights, fixed corners", VertexRule::kLoop, CornerRule::kCorner},
-};
-
-/// Where a vertex of a refined mesh comes from.
-struct Origin {
-  std::uint32_t a = 0;  ///< the old vertex, or one end of the old edge
-  std::uint32_t b = 0;  ///< the other end; the same as `a` for an old vertex
 };
 
 /// A right answer for one level: the same surface for all variants, with other positions.
@@ -101,7 +96,6 @@ class LevelsJudge {
     std::vector<Ref> old_to_mine(input.mesh.positions.size());
     for (Ref v = 0; v < old_to_mine.size(); ++v)
       old_to_mine[v] = v;
-    MeshDump before;
     for (std::size_t i = 0; i < steps.size(); ++i) {
       if (input.levels > 1) {
         where_ = "after level " + std::to_string(i + 1) + " of " + std::to_string(input.levels);
@@ -131,11 +125,15 @@ class LevelsJudge {
   }
 
   bool keeps_rules(const MeshDump& mesh) {
+    bool only_simple = true;
     for (const RuleBreak& rule_break : find_broken_rules(mesh)) {
+      only_simple = only_simple && rule_break.rule == "simple";
       judgement_.findings.push_back(to_finding(rule_break, where_));
       judgement_.verdict = Verdict::kFailed;
     }
-    return judgement_.findings.empty();
+    if (judgement_.findings.empty()) return true;
+    if (only_simple) judgement_.findings[0].likely = recognize_connectivity(before_, mesh);
+    return false;
   }
 
   bool has_counts(const Level& level, const MeshDump& mesh) {
@@ -162,7 +160,7 @@ class LevelsJudge {
     const Ref end = level.surface.halfedges[h.twin].vertex;
     const std::vector<Point3>& points = level.by_variant.begin()->second.positions;
     const Origin& origin = level.origins[h.vertex];
-    const Ref known = origin.a == origin.b ? old_to_mine[origin.a] : kUnsetRef;
+    const Ref known = origin.is_old() ? old_to_mine[origin.a] : kUnsetRef;
     std::vector<std::pair<double, Ref>> ranked;
     for (Ref g = 0; g < mesh.halfedges.size(); ++g) {
       const HalfedgeRecord& other = mesh.halfedges[g];
@@ -189,16 +187,25 @@ class LevelsJudge {
     for (bool old : {true, false}) {
       for (Ref h = 0; h < level.surface.halfedges.size(); ++h) {
         const Origin& origin = level.origins[level.surface.halfedges[h].vertex];
-        if ((origin.a == origin.b) == old) starts.push_back(h);
+        if (origin.is_old() == old) starts.push_back(h);
       }
     }
-    SurfaceMatch match(level.surface);
     const auto list = [&](Ref h) { return candidates(level, old_to_mine, mesh, h); };
-    if (match_surfaces(level.surface, mesh, starts, list, match)) {
-      match_ = match.vertex;
+    // With the old numbers, so that a symmetric mesh with wrong positions is not matched
+    // turned.
+    SurfaceMatch numbered(level.surface);
+    for (std::size_t v = 0; v < level.origins.size(); ++v) {
+      const Origin& origin = level.origins[v];
+      if (origin.a == origin.b) numbered.vertex[v] = old_to_mine[origin.a];
+    }
+    SurfaceMatch free(level.surface);
+    for (SurfaceMatch* match : {&numbered, &free}) {
+      if (!match_surfaces(level.surface, mesh, starts, list, *match)) continue;
+      match_ = match->vertex;
       return true;
     }
     report_other_surface(level, old_to_mine, mesh);
+    judgement_.findings.back().likely = recognize_connectivity(before_, mesh);
     return false;
   }
 
@@ -219,7 +226,7 @@ class LevelsJudge {
         "old vertices keep their number of edges; new ones have 6 inside and 4 on a boundary";
     for (std::size_t v = 0; v < level.origins.size(); ++v) {
       const Origin& origin = level.origins[v];
-      if (origin.a != origin.b) continue;
+      if (!origin.is_old()) continue;
       const Ref mine = old_to_mine[origin.a];
       if (mine >= have.size() || have[mine] == want[v]) continue;
       report("connectivity", meaning, vertex_name(mine),
@@ -236,7 +243,7 @@ class LevelsJudge {
 
   std::string origin_text(const Level& level, std::size_t v) const {
     const Origin& origin = level.origins[v];
-    if (origin.a == origin.b) return "an old vertex";
+    if (origin.is_old()) return "an old vertex";
     return "the new vertex of an old edge";
   }
 
@@ -262,7 +269,33 @@ class LevelsJudge {
       return true;
     }
     report_position(level, actual, size, best, best_name);
+    judgement_.findings.back().likely = likely_positions(level, actual, size);
     return false;
+  }
+
+  /// Published rules that the assignment, or the cases before, rule out.
+  std::vector<Prediction<Point3>> other_rules(const Level& level) const {
+    std::vector<Prediction<Point3>> others;
+    for (const Variant& variant : kVariants) {
+      if (level.by_variant.count(variant.name) != 0) continue;
+      others.push_back(
+          {{"other-rule", std::string("these are ") + variant.name +
+                              "; asked, or used in the cases before, is " +
+                              level.by_variant.begin()->first},
+           opensubdiv_loop(old_, variant.vertex_rule, variant.corner_rule).mesh.positions});
+    }
+    return others;
+  }
+
+  std::vector<Misconception> likely_positions(const Level& level,
+                                              const std::vector<Point3>& actual,
+                                              double size) const {
+    std::vector<std::vector<Point3>> variants;
+    for (const auto& [name, polygons] : level.by_variant) {
+      variants.push_back(polygons.positions);
+    }
+    return recognize_positions(old_, level.origins, variants, other_rules(level), actual,
+                               task_.tolerance * size);
   }
 
   Conventions keep_agreeing(const Conventions& agreeing) const {
@@ -275,7 +308,7 @@ class LevelsJudge {
   void report_position(const Level& level, const std::vector<Point3>& actual, double size,
                        WorstPoint worst, const std::string& variant) {
     const std::size_t valence = valences(level.surface)[worst.index];
-    const bool old = level.origins[worst.index].a == level.origins[worst.index].b;
+    const bool old = level.origins[worst.index].is_old();
     const std::string mine = vertex_name(match_[worst.index]);
     report("position", "the positions are those of Loop subdivision (compared with OpenSubdiv)",
            mine + ", " + origin_text(level, worst.index) +
@@ -291,6 +324,8 @@ class LevelsJudge {
   Conventions& conventions_;
   CaseJudgement& judgement_;
   std::string where_;
+  PolygonMesh old_;         ///< the mesh before the step, expected vertices
+  MeshDump before_;         ///< the same as the student has it
   std::vector<Ref> match_;  ///< expected vertex -> the student's
 };
 

@@ -1,53 +1,20 @@
-#include <array>
 #include <cmath>
 
 #include "grader/base/text.h"
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
+#include "grader/judge/normals.h"
 #include "grader/judge/options.h"
 #include "grader/judge/point_compare.h"
 
 namespace meshgrade {
 namespace {
 
-Point3 subtract(const Point3& a, const Point3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double length(const Point3& a) {
-  return std::hypot(a[0], a[1], a[2]);
-}
-
-/// The normals by their definition, without half-edges: every triangle adds its cross product,
-/// whose length is twice its area, to its three corners.
-std::vector<Point3> area_weighted_normals(const PolygonMesh& mesh) {
-  std::vector<Point3> sums(mesh.positions.size(), Point3{});
-  for (const auto& t : mesh.polygons) {
-    const Point3& p = mesh.positions[t[0]];
-    const Point3 area =
-        cross(subtract(mesh.positions[t[1]], p), subtract(mesh.positions[t[2]], p));
-    for (std::uint32_t corner : t) {
-      for (std::size_t i = 0; i < 3; ++i)
-        sums[corner][i] += area[i];
-    }
-  }
-  for (Point3& sum : sums) {
-    const double norm = length(sum);
-    for (double& x : sum)
-      x /= norm;
-  }
-  return sums;
-}
-
 void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
                  CaseJudgement& judgement) {
   const auto input = from_wire<NormalInput>(task.asked.input);
-  const std::vector<Point3> expected = area_weighted_normals(input.mesh);
+  const std::vector<Point3> expected = vertex_normals(input.mesh, NormalWeight::kArea);
   if (task.outcome.steps.size() > expected.size()) throw WireError("too many steps");
   std::vector<Point3> actual;
   for (const std::string& step : task.outcome.steps)
@@ -59,7 +26,7 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
   }
   judgement.verdict = Verdict::kFailed;
   const Point3& normal = actual[worst.index];
-  const double norm = length(normal);
+  const double norm = std::hypot(normal[0], normal[1], normal[2]);
   const std::string vertex = vertex_name(static_cast<Ref>(worst.index));
   const std::string expected_text = point_text(expected[worst.index]);
   if (!std::isfinite(norm)) {
@@ -78,6 +45,8 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
             " (allowed: " + number_text(task.tolerance, 2) + ")",
         "which faces are counted in Vertex::normal, and with which weights"));
   }
+  judgement.findings.back().likely =
+      recognize_normals(input.mesh, expected, actual, task.tolerance);
 }
 
 }  // namespace
