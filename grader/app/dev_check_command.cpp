@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "grader/app/adequacy_check.h"
 #include "grader/app/context.h"
 #include "grader/app/grading.h"
 #include "grader/base/errors.h"
@@ -120,17 +121,41 @@ int dev_check(bool write) {
 }  // namespace
 
 void add_dev_check_command(CLI::App& app, int& exit_code) {
-  auto write = std::make_shared<bool>(false);
+  struct Options {
+    bool write = false;
+    bool mutants = false;
+    AdequacyOptions adequacy;
+  };
+  auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "dev-check", "Prove that reference, skeleton and exercises agree (for maintainers)");
-  command->add_flag("--write", *write,
+  command->add_flag("--write", options->write,
                     "First write the skeleton's files anew from the reference");
+  CLI::Option* mutants = command->add_flag(
+      "--mutants", options->mutants,
+      "Prove instead that the grader finds mistakes, and write docs/adequacy.md");
+  command->add_option("--sample", options->adequacy.mutants, "Only so many mutants, drawn")
+      ->needs(mutants);
+  command
+      ->add_option("--variants", options->adequacy.variants,
+                   "How many right variants are drawn (240)")
+      ->needs(mutants);
+  command->add_option("--seed", options->adequacy.seed, "What all that is drawn depends on")
+      ->needs(mutants);
+  command->add_option("--only", options->adequacy.exercise, "Only mutants of this exercise")
+      ->needs(mutants);
+  command->add_option("-j,--jobs", options->adequacy.jobs, "How many are graded at a time (2)")
+      ->needs(mutants);
   command->footer(
       "Examples:\n"
       "  meshgrade dev-check\n"
       "  meshgrade dev-check --write\n"
+      "  meshgrade dev-check --mutants --sample 40 --only edge_flip\n"
       "Exit code: 0 all agree, 1 something does not, 2 or 3 an error.");
-  command->callback([write, &exit_code] { exit_code = dev_check(*write); });
+  command->callback([options, &exit_code] {
+    exit_code =
+        options->mutants ? check_adequacy(options->adequacy) : dev_check(options->write);
+  });
 }
 
 }  // namespace meshgrade

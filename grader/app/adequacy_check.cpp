@@ -1,0 +1,64 @@
+#include "grader/app/adequacy_check.h"
+
+#include <unistd.h>
+
+#include <iostream>
+
+#include "grader/app/context.h"
+#include "grader/app/grading.h"
+#include "grader/base/errors.h"
+#include "grader/mutants/adequacy_page.h"
+
+namespace meshgrade {
+namespace {
+
+/// Mutants run into limits more often than students: a right answer needs a hundredth of these.
+constexpr std::uint32_t kCaseMilliseconds = 500;
+constexpr std::uint32_t kMemoryMegabytes = 1024;
+
+Assignment strict_assignment() {
+  Assignment assignment = read_assignment(standard_assignment());
+  assignment.limits.case_cpu_ms = kCaseMilliseconds;
+  assignment.limits.memory_mb = kMemoryMegabytes;
+  return assignment;
+}
+
+std::vector<Original> find_originals(const Assignment& assignment) {
+  const std::filesystem::path source = source_folder();
+  return {{"reference", find_submission(source / "reference", assignment.submission)},
+          {"textbook",
+           find_submission(source / "tests" / "mutants" / "textbook", assignment.submission)}};
+}
+
+void show_progress(const std::string& what, std::size_t done, std::size_t count) {
+  if (::isatty(STDERR_FILENO) == 0) return;
+  std::cerr << "\r\033[K" << what << ": " << done << " of " << count << std::flush;
+  if (done == count) std::cerr << "\r\033[K" << std::flush;
+}
+
+}  // namespace
+
+int check_adequacy(const AdequacyOptions& options) {
+  const Assignment assignment = strict_assignment();
+  if (!options.exercise.empty() && assignment.find(options.exercise) == nullptr) {
+    throw UserError("\"" + options.exercise + "\" is no exercise of the assignment");
+  }
+  const Home home = find_home();
+  const GradeFunction grade_quietly = [&](const Submission& submission,
+                                          const std::vector<std::string>& exercises) {
+    return grade(assignment, submission, home, exercises, [](const std::string&) {});
+  };
+  const std::filesystem::path source = source_folder();
+  const Adequacy adequacy =
+      measure_adequacy(assignment, find_originals(assignment),
+                       read_survivor_list(source / "tests" / "mutants" / "survivors.toml"),
+                       options, grade_quietly, show_progress);
+  std::cout << to_summary(adequacy);
+  if (options.mutants == 0 && options.exercise.empty()) {
+    write_file_safely(source / "docs" / "adequacy.md", to_markdown(adequacy));
+    std::cout << "wrote docs/adequacy.md\n";
+  }
+  return adequacy.is_proven() ? 0 : 1;
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "grader/mutants/adequacy.h"
+
+namespace meshgrade {
+
+/// `dev-check --mutants`: measures how well the grader grades, prints the figures, and writes
+/// docs/adequacy.md if nothing was left out.
+/// @return the exit code: 0 if all is proven, 1 if not
+int check_adequacy(const AdequacyOptions& options);
+
+}  // namespace meshgrade

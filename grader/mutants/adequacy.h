@@ -1,0 +1,58 @@
+#pragma once
+
+// The proof that the grader finds mistakes, says where they are, and refuses no right answer.
+
+#include <string>
+#include <vector>
+
+#include "grader/mutants/mutant_grading.h"
+#include "grader/mutants/right_answers.h"
+#include "grader/mutants/survivor_list.h"
+
+namespace meshgrade {
+
+struct AdequacyOptions {
+  std::uint64_t seed = 184;
+  std::size_t mutants = 0;  ///< how many to draw; 0: all
+  std::size_t variants = 240;
+  std::size_t repeated = 12;  ///< submissions that are graded three times
+  unsigned jobs = 2;
+  std::string exercise;  ///< only this one; empty: all
+};
+
+struct Adequacy {
+  AdequacyOptions options;
+  std::vector<std::string> exercises;
+  std::vector<MutantResult> mutants;
+  SurvivorList reviewed;
+  std::vector<std::string> unexplained;    ///< survivors that are not in the list
+  std::vector<std::string> outdated;       ///< listed, but killed or not made any more
+  std::vector<std::string> grader_errors;  ///< mutants that the grader itself failed on
+  VariantsResult variants;
+  DeterminismResult determinism;
+
+  bool is_proven() const {
+    return unexplained.empty() && outdated.empty() && grader_errors.empty() &&
+           variants.refused.empty() && determinism.differing.empty();
+  }
+};
+
+/// How many of how many.
+struct Share {
+  std::size_t part = 0;
+  std::size_t whole = 0;
+
+  double percent() const {
+    return whole == 0 ? 100.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  }
+};
+
+/// Of the killed mutants: those where the first finding names the pointer, the function.
+Share pointers_named(const Adequacy& adequacy);
+Share functions_named(const Adequacy& adequacy);
+
+Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Original>& originals,
+                          const SurvivorList& reviewed, const AdequacyOptions& options,
+                          const GradeFunction& grade, const JobProgress& progress);
+
+}  // namespace meshgrade

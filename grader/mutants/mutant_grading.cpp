@@ -1,0 +1,146 @@
+#include "grader/mutants/mutant_grading.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "grader/base/errors.h"
+#include "grader/base/wire.h"
+#include "grader/mutants/job_pool.h"
+
+namespace meshgrade {
+namespace {
+
+/// What crosses from the process that grades.
+struct Graded {
+  Fate fate = Fate::kSurvived;
+  std::string verdict;
+  std::string first_exercise;
+  std::string element;
+  bool names_function = false;
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(fate, verdict, first_exercise, element, names_function);
+  }
+};
+
+bool contains(const std::vector<std::string>& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+bool contains_word(const std::string& text, const std::string& word) {
+  const auto is_word = [&](std::size_t i) {
+    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0);
+  };
+  for (std::size_t at = text.find(word); at != std::string::npos;
+       at = text.find(word, at + 1)) {
+    if ((at == 0 || !is_word(at - 1)) && !is_word(at + word.size())) return true;
+  }
+  return false;
+}
+
+bool is_full(const ExerciseReport& exercise) {
+  return exercise.verdict == Verdict::kPassed && exercise.points >= exercise.max_points &&
+         exercise.extra_points >= exercise.max_extra_points;
+}
+
+/// In an exercise of one function its name is enough. In others the first finding must name it:
+/// by what to look at, or by the innermost frame of the student's stack, or, if it says
+/// neither, the title of the case does.
+bool names_function(const CaseReport& c, const std::string& function) {
+  if (c.findings.empty()) return contains_word(c.note, function);
+  const FindingReport& first = c.findings[0];
+  if (contains_word(first.finding.look_at, function)) return true;
+  if (!first.places.empty()) return contains_word(first.places[0].function, function);
+  return contains_word(c.title, function);
+}
+
+Graded summarise(const Report& report, const Mutant& mutant, bool has_many_functions) {
+  Graded graded;
+  for (const FileReport& file : report.files) {
+    if (file.compiled) continue;
+    if (file.name != mutant.file)
+      throw GraderError(file.name + " of " + mutant.original + " does not compile");
+    graded.fate = Fate::kNotCompiled;
+    return graded;
+  }
+  if (report.has_grader_error()) throw GraderError("a case ended with a grader error");
+  for (const ExerciseReport& exercise : report.exercises) {
+    if (is_full(exercise)) continue;
+    graded.fate = Fate::kKilled;
+    graded.first_exercise = exercise.name;
+    graded.names_function = exercise.name == mutant.exercise;
+    for (const CaseReport& c : exercise.cases) {
+      if (c.verdict == Verdict::kPassed || c.verdict == Verdict::kNotJudged) continue;
+      graded.verdict = verdict_name(c.verdict);
+      if (!c.findings.empty()) graded.element = c.findings[0].finding.element;
+      if (has_many_functions && !names_function(c, mutant.function)) {
+        graded.names_function = false;
+      }
+      break;
+    }
+    break;
+  }
+  return graded;
+}
+
+const Original& original_of(const std::vector<Original>& originals, const Mutant& mutant) {
+  for (const Original& original : originals) {
+    if (original.name == mutant.original) return original;
+  }
+  throw GraderError("no original named " + mutant.original);
+}
+
+}  // namespace
+
+MutantSubmission to_submission(const Assignment& assignment, const Original& original,
+                               const Mutant& mutant) {
+  MutantSubmission made;
+  std::vector<std::string> needed;
+  for (const ExerciseRubric& rubric : assignment.exercises) {
+    if (rubric.name != mutant.exercise && !contains(rubric.needs, mutant.exercise)) continue;
+    made.exercises.push_back(rubric.name);
+    needed.push_back(rubric.name);
+    needed.insert(needed.end(), rubric.needs.begin(), rubric.needs.end());
+  }
+  made.submission.name = original.name;
+  for (const SourceFile& file : original.submission.sources) {
+    if (file.name == mutant.file) {
+      made.submission.sources.push_back({file.name, mutant.text});
+    } else if (contains(needed, file.name.substr(0, file.name.find('.')))) {
+      made.submission.sources.push_back(file);
+    }
+  }
+  return made;
+}
+
+std::vector<MutantResult> grade_mutants(const Assignment& assignment,
+                                        const std::vector<Original>& originals,
+                                        const std::vector<Mutant>& mutants,
+                                        const GradeFunction& grade, unsigned jobs,
+                                        const JobProgress& progress) {
+  const auto work = [&](std::size_t i) {
+    const Mutant& mutant = mutants[i];
+    const MutantSubmission made =
+        to_submission(assignment, original_of(originals, mutant), mutant);
+    const ExerciseJudge judge = find_exercise_judge(*assignment.find(mutant.exercise));
+    try {
+      const Report report = grade(made.submission, made.exercises);
+      return to_wire(summarise(report, mutant, judge.functions.size() > 1));
+    } catch (const GraderError& error) {
+      return to_wire(Graded{Fate::kGraderFailed, error.what(), "", "", false});
+    }
+  };
+  const auto results = run_jobs(mutants.size(), jobs, work, [&](std::size_t done) {
+    progress("mutants", done, mutants.size());
+  });
+  std::vector<MutantResult> list;
+  for (std::size_t i = 0; i < mutants.size(); ++i) {
+    const auto graded = from_wire<Graded>(results[i]);
+    list.push_back({mutants[i], graded.fate, graded.verdict, graded.first_exercise,
+                    graded.element, graded.names_function, wrong_pointers(mutants[i])});
+  }
+  return list;
+}
+
+}  // namespace meshgrade

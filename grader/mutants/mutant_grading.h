@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "grader/assignment/assignment.h"
+#include "grader/mutants/localisation.h"
+#include "grader/mutants/mutant.h"
+#include "grader/report/report.h"
+
+namespace meshgrade {
+
+/// The ordinary way from a submission to its report, for these exercises only.
+using GradeFunction = std::function<Report(const Submission& submission,
+                                           const std::vector<std::string>& exercises)>;
+
+/// Told how many of how many jobs are done.
+using JobProgress =
+    std::function<void(const std::string& what, std::size_t done, std::size_t count)>;
+
+enum class Fate { kKilled, kSurvived, kNotCompiled, kGraderFailed };
+
+struct MutantResult {
+  Mutant mutant;
+  Fate fate = Fate::kSurvived;
+  std::string verdict;          ///< of the first case that is not passed; or the grader's error
+  std::string first_exercise;   ///< that loses points, in the order of the report
+  std::string element;          ///< of the first finding of its first case that is not passed
+  bool names_function = false;  ///< exercise and finding name the function with the mistake
+
+  /// Of mutants that only set a pointer wrong.
+  std::set<PointerName> wrong_pointers;
+  bool names_pointer() const { return wrong_pointers.count(named_pointer(element)) != 0; }
+};
+
+/// What a mutant is graded as: the exercise of its file and those that call its function, with
+/// the original's other files that these need.
+struct MutantSubmission {
+  Submission submission;
+  std::vector<std::string> exercises;
+};
+MutantSubmission to_submission(const Assignment& assignment, const Original& original,
+                               const Mutant& mutant);
+
+/// Grades all, `jobs` at a time.
+std::vector<MutantResult> grade_mutants(const Assignment& assignment,
+                                        const std::vector<Original>& originals,
+                                        const std::vector<Mutant>& mutants,
+                                        const GradeFunction& grade, unsigned jobs,
+                                        const JobProgress& progress);
+
+}  // namespace meshgrade
