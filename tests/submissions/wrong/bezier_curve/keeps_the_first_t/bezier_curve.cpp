@@ -1,11 +1,11 @@
-// Wrong: the list is static, and never emptied.
+// Wrong: a static variable keeps the t of the first call.
 #include "meshedit/meshedit.h"
 
 namespace meshedit {
 
 std::vector<Vector2D> BezierCurve::evaluateStep(const std::vector<Vector2D>& points) {
-  const double s = t;  // t is a float; all arithmetic is done in double
-  static std::vector<Vector2D> next;
+  static const double s = t;
+  std::vector<Vector2D> next;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     next.push_back((1.0 - s) * points[i] + s * points[i + 1]);
   }
