@@ -60,6 +60,9 @@ Ending classify(int status, bool overdue, const SharedState& shared) {
 
 /// Writes down how the child died, in its place.
 void record_death(const TaskList& list, SharedState& shared, int status, bool overdue) {
+  // What the child was writing when it died is not a whole frame: nothing of it may stay.
+  const auto written = static_cast<off_t>(shared.result_size.load());
+  if (::ftruncate(kResultFile, written) != 0) std::exit(kWorkerFailedStatus);
   EndFrame frame;
   frame.task = shared.tasks_done;
   frame.ending = classify(status, overdue, shared);
@@ -96,10 +99,23 @@ bool run_some(const TaskList& list, SharedState& shared) {
   return shared.tasks_done < list.tasks.size();
 }
 
-int run_worker() {
-  const TaskList list = from_wire<TaskList>(read_whole_file(kTaskFile));
+/// @return false if there is none that makes sense
+bool read_task_list(TaskList& list) {
+  try {
+    list = from_wire<TaskList>(read_whole_file(kTaskFile));
+  } catch (const WireError& error) {
+    std::fprintf(stderr, "worker: %s\n", error.what());
+    return false;
+  }
   ::close(kTaskFile);
-  if (list.version != kProtocolVersion) return kWorkerFailedStatus;
+  return list.version == kProtocolVersion;
+}
+
+// Nothing on the way to the student's code catches exceptions: one that finds no handler comes
+// to the terminate handler with its stack still there.
+int run_worker() {
+  TaskList list;
+  if (!read_task_list(list)) return kWorkerFailedStatus;
   void* memory = ::mmap(nullptr, sizeof(SharedState), PROT_READ | PROT_WRITE,
                         MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) return kWorkerFailedStatus;
@@ -114,10 +130,5 @@ int run_worker() {
 }  // namespace meshgrade
 
 int main() {
-  try {
-    return meshgrade::run_worker();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "worker: %s\n", error.what());
-    return meshgrade::kWorkerFailedStatus;
-  }
+  return meshgrade::run_worker();
 }
