@@ -7,6 +7,7 @@
 
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
+#include "grader/build/added_members.h"
 
 namespace meshgrade {
 namespace {
@@ -162,6 +163,9 @@ class Builder {
     write_file(path(file.name), rest.text());
     ProcessResult result = compile(file.name, object_name(file.name));
     file.messages = messages_of(result);
+    if (submission_.dialect != Dialect::kMeshedit) {
+      file.notes = explain_added_members(file.messages, submission_.course_headers);
+    }
     for (int round = 0; round < kRounds && !result.ok() && !result.timed_out; ++round) {
       if (!rest.learn_from(clean(result.output))) break;
       write_file(path(file.name), rest.text());

@@ -17,7 +17,8 @@ struct BuiltFile {
   std::string name;
   bool ok = false;
   std::string messages;  ///< of the compiler or linker; also warnings of a file that compiled
-  std::vector<LeftOut> left_out;  ///< functions without which the file compiles
+  std::vector<LeftOut> left_out;   ///< functions without which the file compiles
+  std::vector<std::string> notes;  ///< what is known about the reasons
 };
 
 /// A worker that contains the student's functions; those that are missing answer "not
