@@ -170,6 +170,13 @@ class Edge : public detail::Element {
  public:
   static constexpr const char* kHandleName = "edge handle";
 
+  explicit Edge(EdgeRecord& place) : record(place) {}
+  Edge(EdgeRecord& place, const Edge& other);
+  /// A copy outside of a mesh shares the record of the original.
+  Edge(const Edge& other) = default;
+  Edge& operator=(const Edge& other);
+  ~Edge() = default;
+
   /// One of the two half-edges.
   HalfedgeIter& halfedge() { return _halfedge; }
   HalfedgeCIter halfedge() const { return _halfedge; }
@@ -188,7 +195,7 @@ class Edge : public detail::Element {
  public:
   bool isNew = false;    ///< yours, for example for Loop subdivision
   Vector3D newPosition;  ///< yours
-  EdgeRecord record;     ///< yours
+  EdgeRecord& record;    ///< yours; it lies apart from the edge, since few need it
 };
 
 /// A polygon of the surface, or a boundary loop.

@@ -56,6 +56,18 @@ inline Size Vertex::degree() const {
   return faces_around;
 }
 
+inline Edge::Edge(EdgeRecord& place, const Edge& other) : Edge(place) {
+  *this = other;
+}
+
+inline Edge& Edge::operator=(const Edge& other) {
+  _halfedge = other._halfedge;
+  isNew = other.isNew;
+  newPosition = other.newPosition;
+  record = other.record;
+  return *this;
+}
+
 inline bool Edge::isBoundary() const {
   return halfedge()->isBoundary() || halfedge()->twin()->isBoundary();
 }

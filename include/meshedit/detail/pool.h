@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -20,6 +21,8 @@ namespace meshedit {
 template <class T>
 class Handle;
 class Halfedge;
+class Edge;
+class EdgeRecord;
 
 namespace detail {
 
@@ -72,8 +75,24 @@ class Element {
   Tag tag_;
 };
 
+/// What an element keeps apart from itself, since few programs use it: the part that all use
+/// then takes less memory. The element's first constructor argument is the place for it, which
+/// holds zero bytes at first.
+struct NothingAside {};
+template <class T>
+struct AsideOf {
+  using Type = NothingAside;
+};
+template <>
+struct AsideOf<Edge> {
+  using Type = EdgeRecord;
+};
+
 template <class T>
 class Pool {
+  using Aside = typename AsideOf<T>::Type;
+  static constexpr bool kHasAside = !std::is_same<Aside, NothingAside>::value;
+
  public:
   Pool() { end_.set(SlotState::kEnd, kMaxElements, 0, this); }
   Pool(const Pool&) = delete;
@@ -92,15 +111,20 @@ class Pool {
   /// Appends an element for the mesh numbered `mesh`. Handles to others stay valid.
   template <class... Args>
   T* append(std::uint32_t mesh, Args&&... args) {
-    if (used_ == kMaxElements) throw std::bad_alloc();
-    if (chunk_of(used_) == chunks_.size()) add_chunk();
-    T* slot = at(used_);
-    ::new (static_cast<void*>(slot)) T(std::forward<Args>(args)...);
+    if (free_ == chunk_end_) add_chunk();
+    T* slot = free_;
+    if constexpr (kHasAside) {
+      Aside& aside = *(asides_end_ - (chunk_end_ - slot));
+      ::new (static_cast<void*>(slot)) T(aside, std::forward<Args>(args)...);
+    } else {
+      ::new (static_cast<void*>(slot)) T(std::forward<Args>(args)...);
+    }
     slot->tag_ = Tag(SlotState::kLive, used_, mesh);
     end_.set(SlotState::kEnd, kMaxElements, mesh, this);
+    ++free_;
     ++used_;
     ++live_;
-    if (offset_of(used_) != 0) link_at(at(used_)).set(SlotState::kLink, 0, mesh, &end_);
+    if (free_ != chunk_end_) link_at(free_).set(SlotState::kLink, 0, mesh, &end_);
     return slot;
   }
 
@@ -119,7 +143,11 @@ class Pool {
     }
     for (T* chunk : chunks_)
       ::operator delete(static_cast<void*>(chunk - 1));
+    for (Aside* asides : asides_)
+      std::free(asides);
     chunks_.clear();
+    asides_.clear();
+    free_ = chunk_end_ = nullptr;
     used_ = live_ = 0;
   }
 
@@ -226,9 +254,21 @@ class Pool {
     return *reinterpret_cast<Link*>(slot);
   }
 
+  /// calloc gives fresh pages of zeros without touching them: they cost nothing until used.
+  void add_asides(std::size_t size) {
+    asides_.reserve(chunks_.size() + 1);
+    if (asides_.size() > chunks_.size()) return;  // from a chunk for which no memory was left
+    auto* asides = static_cast<Aside*>(std::calloc(size, sizeof(Aside)));
+    if (asides == nullptr) throw std::bad_alloc();
+    asides_.push_back(asides);
+    asides_end_ = asides + size;
+  }
+
   void add_chunk() {
     const std::size_t size = chunk_size(chunks_.size());
+    if (used_ + size > kMaxElements) throw std::bad_alloc();
     chunks_.reserve(chunks_.size() + 1);
+    if constexpr (kHasAside) add_asides(size);
     T* before = static_cast<T*>(::operator new((size + 2) * sizeof(T)));
     T* chunk = before + 1;
     T* previous_last = chunks_.empty() ? nullptr : at(used_ - 1);
@@ -238,6 +278,8 @@ class Pool {
     link_at(chunk + size).set(SlotState::kLink, 0, 0, &end_);
     if (previous_last != nullptr) link_at(previous_last + 1).target = chunk;
     chunks_.push_back(chunk);
+    free_ = chunk;
+    chunk_end_ = chunk + size;
   }
 
   T* first() {
@@ -250,6 +292,10 @@ class Pool {
   }
 
   std::vector<T*> chunks_;
+  std::vector<Aside*> asides_;   // one array for each chunk
+  Aside* asides_end_ = nullptr;  // where the last one ends
+  T* free_ = nullptr;            // the next slot to use
+  T* chunk_end_ = nullptr;       // where the last chunk ends
   std::size_t used_ = 0;
   std::size_t live_ = 0;
   Link end_;
