@@ -14,23 +14,26 @@ namespace meshgrade::bench {
 namespace {
 
 struct Arguments {
-  bool quick = false;
-  std::string part = "all";
+  Selection selection;
   std::string json;
   std::string program = MESHGRADE_PROGRAM;
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
-  app.add_flag("--quick", arguments.quick, "Small meshes and few rounds: half a minute");
-  app.add_option("--only", arguments.part, "Only this part")
-      ->check(CLI::IsMember({"all", "meshes", "check"}));
+  Selection& selection = arguments.selection;
+  app.add_flag("--quick", selection.quick, "Small meshes and few rounds: a minute");
+  app.add_option("--only", selection.tables, "Only these tables")
+      ->check(CLI::IsMember(
+          {"build", "normals", "flips", "splits", "loop", "threads", "memory", "check"}));
+  app.add_option("--mesh", selection.meshes, "Only these meshes")
+      ->check(CLI::IsMember({"1k", "20k", "330k", "330k shuffled", "1.3M"}));
   app.add_option("--json", arguments.json, "Write all samples and goals to this file as JSON");
   app.add_option("--program", arguments.program, "The meshgrade program to time `check` of")
       ->check(CLI::ExistingFile);
   app.footer(
       "Examples:\n"
       "  meshgrade bench --quick\n"
-      "  meshgrade bench --only check\n"
+      "  meshgrade bench --only loop memory --mesh 20k 330k\n"
       "  meshgrade bench --json bench.json\n"
       "Compare ratios, not times: the machine's other work is in the times. Goals that are\n"
       "missed do not change the exit code.");
@@ -38,17 +41,14 @@ void add_options(CLI::App& app, Arguments& arguments) {
 
 Results run(const Arguments& arguments) {
   Results results;
-  std::vector<Goal> goals;
-  if (arguments.part != "check") {
-    keep_heap_warm();
-    results.tables = run_mesh_bench(arguments.quick);
-    goals = mesh_goals();
+  keep_heap_warm();
+  results.tables = run_mesh_bench(arguments.selection);
+  if (arguments.selection.has_table("check")) {
+    results.tables.push_back(run_check_bench(arguments.program, arguments.selection.quick));
   }
-  if (arguments.part != "meshes") {
-    results.tables.push_back(run_check_bench(arguments.program, arguments.quick));
-    for (const Goal& goal : check_goals())
-      goals.push_back(goal);
-  }
+  std::vector<Goal> goals = mesh_goals();
+  for (const Goal& goal : check_goals())
+    goals.push_back(goal);
   for (const Goal& goal : goals) {
     if (const auto result = evaluate(goal, results.tables)) results.goals.push_back(*result);
   }

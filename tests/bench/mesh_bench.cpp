@@ -1,5 +1,6 @@
 #include "tests/bench/mesh_bench.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "tests/bench/workload.h"
@@ -35,11 +36,29 @@ std::vector<Entrant> entrants() {
 }
 
 struct Size {
-  const char* name;
+  std::string name;
   unsigned levels;
   std::size_t rounds;
   bool shuffled = false;
+  bool loop_only = false;
 };
+
+std::vector<Size> choose_sizes(const Selection& selection) {
+  std::vector<Size> all{{"1k", 3, 15}, {"20k", 5, 9}, {"330k", 7, 7}};
+  if (selection.quick) {
+    all = {{"1k", 3, 5}, {"20k", 5, 5}};
+  } else {
+    all.push_back({"330k shuffled", 7, 5, true});
+    all.push_back({"1.3M", 8, 5, false, true});
+  }
+  const std::vector<std::string>& names = selection.meshes;
+  std::vector<Size> chosen;
+  for (const Size& size : all) {
+    const bool named = std::find(names.begin(), names.end(), size.name) != names.end();
+    if (names.empty() || named) chosen.push_back(size);
+  }
+  return chosen;
+}
 
 /// Loop begins one level lower, so that its result has the size of the column.
 Workload make_workload(const Size& size, Task task) {
@@ -47,7 +66,7 @@ Workload make_workload(const Size& size, Task task) {
   return size.shuffled ? shuffled_icosphere(levels) : icosphere(levels);
 }
 
-/// Nanoseconds per triangle, vertex or edge.
+/// What a task's time is divided by: triangles, vertices or edges.
 double operations(Task task, const Workload& workload) {
   switch (task) {
     case Task::kBuild:
@@ -76,73 +95,79 @@ void measure_column(Table& table, Task task, const Size& size,
     });
   }
   const std::vector<Samples> samples = interleave(size.rounds, runs);
-  table.columns.emplace_back(size.name);
+  table.columns.push_back(size.name);
   for (std::size_t i = 0; i < field.size(); ++i)
     table.row(field[i].name).cells.push_back(samples[i]);
 }
 
-Table measure_task(Task task, const std::string& name, const std::string& title,
+Table measure_task(Task task, const std::string& name, const std::string& unit,
                    const std::vector<Size>& sizes) {
-  Table table{name, title, kOpenMesh, {}, {}};
+  Table table{name, name + ": ns per " + unit, kOpenMesh, {}, {}};
   std::vector<Entrant> field;
   for (const Entrant& entrant : entrants()) {
     if (entrant.make()->takes_part(task)) field.push_back(entrant);
   }
-  for (const Size& size : sizes)
-    measure_column(table, task, size, field, Clock::kProcessor);
+  for (const Size& size : sizes) {
+    if (task == Task::kLoop || !size.loop_only) {
+      measure_column(table, task, size, field, Clock::kProcessor);
+    }
+  }
   return table;
 }
 
-Table measure_threads(const Size& size) {
+Table measure_threads(const std::vector<Size>& sizes) {
   Table table{
-      "threads", "Loop with threads: ns of real time per output triangle", kDirect, {}, {}};
-  measure_column(table, Task::kLoop, size,
-                 {{kDirect, [] { return make_direct_loop(1); }},
-                  {kTwoThreads, [] { return make_direct_loop(2); }}},
-                 Clock::kReal);
+      "threads", "threads: ns of real time per triangle that Loop makes", kDirect, {}, {}};
+  const std::vector<Entrant> field{{kDirect, [] { return make_direct_loop(1); }},
+                                   {kTwoThreads, [] { return make_direct_loop(2); }}};
+  for (const Size& size : sizes)
+    measure_column(table, Task::kLoop, size, field, Clock::kReal);
   return table;
 }
 
 /// Bytes need no rounds: each cell has one sample.
+void measure_memory_column(Table& table, const Size& size) {
+  const Workload workload = make_workload(size, Task::kLoop);
+  const auto n_built = static_cast<double>(workload.mesh.polygons.size());
+  const double n_subdivided = operations(Task::kLoop, workload);
+  table.columns.push_back("input of " + size.name);
+  table.columns.push_back(size.name);
+  for (const Entrant& entrant : entrants()) {
+    if (entrant.name == kCopying) continue;
+    const Memory memory = measure_memory(entrant.make, workload);
+    std::vector<Samples>& cells = table.row(entrant.name).cells;
+    cells.push_back({static_cast<double>(memory.built) / n_built});
+    cells.push_back({static_cast<double>(memory.subdivided) / n_subdivided});
+  }
+}
+
 Table measure_memories(const std::vector<Size>& sizes) {
-  Table table{
-      "memory", "memory: bytes per triangle, after build and after Loop", kOpenMesh, {}, {}};
+  Table table{"memory", "memory: bytes per triangle, before and after Loop", kOpenMesh, {}, {}};
   for (const Size& size : sizes) {
-    const Workload workload = make_workload(size, Task::kLoop);
-    const auto n_built = static_cast<double>(workload.mesh.polygons.size());
-    const double n_subdivided = operations(Task::kLoop, workload);
-    table.columns.emplace_back(std::string("built, ") + size.name + " / 4");
-    table.columns.emplace_back(std::string("Loop, ") + size.name);
-    for (const Entrant& entrant : entrants()) {
-      if (entrant.name == kCopying) continue;
-      const Memory memory = measure_memory(entrant.make, workload);
-      std::vector<Samples>& cells = table.row(entrant.name).cells;
-      cells.push_back({static_cast<double>(memory.built) / n_built});
-      cells.push_back({static_cast<double>(memory.subdivided) / n_subdivided});
-    }
+    if (!size.shuffled) measure_memory_column(table, size);
   }
   return table;
 }
 
 }  // namespace
 
-std::vector<Table> run_mesh_bench(bool quick) {
-  std::vector<Size> sizes{{"1k", 3, 15}, {"20k", 5, 9}, {"330k", 7, 7}};
-  std::vector<Size> loop_sizes = sizes;
-  loop_sizes.push_back({"1.3M", 8, 5});
-  loop_sizes.push_back({"330k shuffled", 7, 5, true});
-  sizes.push_back(loop_sizes.back());
-  if (quick) sizes = loop_sizes = {{"1k", 3, 5}, {"20k", 5, 5}};
+bool Selection::has_table(const std::string& name) const {
+  return tables.empty() || std::find(tables.begin(), tables.end(), name) != tables.end();
+}
 
+std::vector<Table> run_mesh_bench(const Selection& selection) {
+  const std::vector<Size> sizes = choose_sizes(selection);
   std::vector<Table> tables;
-  tables.push_back(measure_task(Task::kBuild, "build", "build: ns per triangle", sizes));
-  tables.push_back(measure_task(Task::kNormals, "normals", "normals: ns per vertex", sizes));
-  tables.push_back(measure_task(Task::kFlips, "flips", "flips: ns per flip", sizes));
-  tables.push_back(measure_task(Task::kSplits, "splits", "splits: ns per split", sizes));
-  tables.push_back(
-      measure_task(Task::kLoop, "loop", "Loop: ns per output triangle", loop_sizes));
-  tables.push_back(measure_threads(quick ? Size{"330k", 7, 5} : Size{"1.3M", 8, 9}));
-  tables.push_back(measure_memories({sizes[1], sizes[quick ? 1 : 2]}));
+  const auto add_task = [&](Task task, const char* name, const char* unit) {
+    if (selection.has_table(name)) tables.push_back(measure_task(task, name, unit, sizes));
+  };
+  add_task(Task::kBuild, "build", "triangle");
+  add_task(Task::kNormals, "normals", "vertex");
+  add_task(Task::kFlips, "flips", "flip");
+  add_task(Task::kSplits, "splits", "split");
+  add_task(Task::kLoop, "loop", "output triangle");
+  if (selection.has_table("threads")) tables.push_back(measure_threads(sizes));
+  if (selection.has_table("memory")) tables.push_back(measure_memories(sizes));
   return tables;
 }
 

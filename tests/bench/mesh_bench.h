@@ -4,9 +4,17 @@
 
 namespace meshgrade::bench {
 
-/// Build, normals, flips, splits and Loop on all meshes, then threads and memory. `quick`
-/// leaves out the large meshes and takes fewer rounds.
-std::vector<Table> run_mesh_bench(bool quick);
+/// What to measure. Tables and meshes by name; where none is named: all.
+struct Selection {
+  bool quick = false;  ///< leaves out the large meshes and takes fewer rounds
+  std::vector<std::string> tables;
+  std::vector<std::string> meshes;
+
+  bool has_table(const std::string& name) const;
+};
+
+/// The tables build, normals, flips, splits, loop, threads and memory.
+std::vector<Table> run_mesh_bench(const Selection& selection);
 
 /// What is asked of these tables.
 std::vector<Goal> mesh_goals();

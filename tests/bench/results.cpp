@@ -1,7 +1,6 @@
 #include "tests/bench/results.h"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdio>
 #include <iomanip>
 #include <nlohmann/json.hpp>
