@@ -1,0 +1,1 @@
+#include "CGL/renderer.h"
