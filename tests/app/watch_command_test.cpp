@@ -1,0 +1,95 @@
+// `meshgrade watch`: what it notices, and what it says.
+
+#include "grader/app/watch_command.h"
+
+#include "grader/app/file_watch.h"
+#include "tests/app/command_line.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+Report report_of(Verdict verdict, double points) {
+  Report report;
+  ExerciseReport exercise;
+  exercise.name = "edge_flip";
+  exercise.verdict = verdict;
+  exercise.points = points;
+  report.exercises.push_back(exercise);
+  return report;
+}
+
+TEST(ChangesText, NamesVerdictsAndPoints) {
+  const Report failed = report_of(Verdict::kFailed, 3.0);
+  const Report passed = report_of(Verdict::kPassed, 20.0);
+  EXPECT_EQ(changes_text(failed, passed), "edge_flip: failed -> passed (+17)\n");
+  EXPECT_EQ(changes_text(passed, failed), "edge_flip: passed -> failed (-17)\n");
+  EXPECT_EQ(changes_text(failed, report_of(Verdict::kFailed, 6.0)), "edge_flip: failed (+3)\n");
+  EXPECT_EQ(changes_text(failed, failed), "nothing has changed\n");
+}
+
+class FileWatchTest : public CommandLine {
+ protected:
+  FileWatchTest() { write("edge_flip.cpp", "one"); }
+
+  /// Whether a change is noticed within a second.
+  static bool notices(FileWatch& watch) {
+    int looks = 0;
+    return watch.wait_for_change([&looks] { return ++looks > 5; });
+  }
+};
+
+TEST_F(FileWatchTest, NoticesAWrittenFileOnce) {
+  FileWatch watch(folder_);
+  EXPECT_FALSE(notices(watch));
+  write("edge_flip.cpp", "two, longer");
+  EXPECT_TRUE(notices(watch));
+  EXPECT_FALSE(notices(watch));
+}
+
+TEST_F(FileWatchTest, NoticesNewGoneAndReplacedFiles) {
+  FileWatch watch(folder_);
+  write("edge_split.cpp", "new");
+  EXPECT_TRUE(notices(watch));
+  fs::remove(folder_ / "edge_split.cpp");
+  EXPECT_TRUE(notices(watch));
+  write("edge_flip.cpp.new", "written aside, then renamed");
+  fs::rename(folder_ / "edge_flip.cpp.new", folder_ / "edge_flip.cpp");
+  EXPECT_TRUE(notices(watch));
+}
+
+TEST_F(FileWatchTest, LeavesOutWhatEditorsPutAside) {
+  FileWatch watch(folder_);
+  write(".edge_flip.cpp.swp", "notes");
+  write("edge_flip.cpp~", "backup");
+  EXPECT_FALSE(notices(watch));
+}
+
+TEST_F(FileWatchTest, SurvivesAFolderThatGoes) {
+  FileWatch watch(folder_);
+  fs::remove_all(folder_);
+  EXPECT_TRUE(notices(watch));
+  EXPECT_FALSE(notices(watch));
+}
+
+class WatchCommand : public CommandLine {};
+
+TEST_F(WatchCommand, TellsOfAWrongFolderOrExerciseAtOnce) {
+  EXPECT_EQ(call({"watch", (folder_ / "nowhere").string()}).status, 2);
+  EXPECT_EQ(call({"watch", reference(), "edge_flop"}).status, 2);
+}
+
+TEST_F(WatchCommand, ChecksAndEndsWithZeroOnCtrlC) {
+  Command command;
+  command.arguments = {"timeout",     "--preserve-status", "-s",    "INT",
+                       "4",           MESHGRADE_PROGRAM,   "watch", reference(),
+                       "bezier_curve"};
+  const ProcessResult result = run_process(command);
+  EXPECT_EQ(result.status, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("10 of 10 points"));
+}
+
+}  // namespace
+}  // namespace meshgrade
