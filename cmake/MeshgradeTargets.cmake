@@ -11,6 +11,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(meshgrade_options INTERFACE
     -Wno-restrict $<$<BOOL:${MESHGRADE_SANITIZE}>:-Wno-maybe-uninitialized>)
 endif()
+if(MESHGRADE_FUZZ)
+  target_compile_options(meshgrade_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 if(MESHGRADE_SANITIZE)
   target_compile_options(meshgrade_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -33,7 +33,7 @@ int run(int argc, char** argv) {
   meshgrade::add_dev_check_command(app, exit_code);
   app.footer(
       "`meshgrade COMMAND --help` explains a command, with examples.\n"
-      "The script ./meshgrade also knows self-test and bench.");
+      "The script ./meshgrade also knows self-test, bench and fuzz.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

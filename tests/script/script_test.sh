@@ -125,6 +125,30 @@ failed_build_shows_its_end_and_the_log() {
   err_has "$project/build/release/build.log"
 }
 
+fuzz_of_an_unknown_target_is_said() {
+  mkdir -p "$project/tests/fuzz/corpus/obj"
+  call "$project/meshgrade" fuzz obk
+  [ "$code" = 2 ] || fail "exit code $code, not 2"
+  err_has 'there is no fuzz target "obk"; there are: obj'
+  call "$project/meshgrade" fuzz obj -- soon
+  [ "$code" = 2 ] || fail "exit code $code, not 2, for seconds that are no number"
+}
+
+fuzz_goes_on_after_a_find_and_fails() {
+  mkdir -p "$project/tests/fuzz/corpus/obj" "$project/tests/fuzz/corpus/off"
+  stand_in cmake </dev/null
+  stand_in ninja <<'END'
+mkdir -p "$2/tests/fuzz"
+printf '#!/bin/bash\necho "ran off $*"\n' >"$2/tests/fuzz/fuzz_off"
+printf '#!/bin/bash\nexit 77\n' >"$2/tests/fuzz/fuzz_obj"
+chmod +x "$2/tests/fuzz/"*
+END
+  call "$project/meshgrade" fuzz -- 7
+  [ "$code" = 1 ] || fail "exit code $code, not 1"
+  err_has 'broken promises: obj;'
+  case $out in *"ran off -max_total_time=7 "*) ;; *) fail "off did not run for 7 s" ;; esac
+}
+
 build_folder_that_cannot_be_written_is_said() {
   : >"$project/build"
   call "$project/meshgrade" check
