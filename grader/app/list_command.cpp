@@ -1,6 +1,7 @@
 #include "grader/app/list_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <ctime>
 #include <iostream>
 #include <memory>

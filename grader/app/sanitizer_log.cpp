@@ -1,5 +1,6 @@
 #include "grader/app/sanitizer_log.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <regex>
@@ -28,7 +29,7 @@ std::string cleaned_line(std::string line) {
 /// "    #1 0x4021 in name(arguments) ./edge_flip.cpp:12" -> "    in name(...)
 /// edge_flip.cpp:12"; empty for what is not in the student's files.
 std::string cleaned_frame(const std::string& line) {
-  static const std::regex own("^\\s*#\\d+ 0x[0-9a-f]+ in (.*) (\\./)*([^/ ]+:\\d+)(:\\d+)?$");
+  static const std::regex own("^\\s*#\\d+ 0x[0-9a-f]+ in (.*) (\\./)*([^/ :]+:\\d+)(:\\d+)?$");
   std::smatch parts;
   if (!std::regex_match(line, parts, own)) return {};
   return "      " + parts[3].str() + ", " + parts[1].str();
@@ -80,7 +81,9 @@ CaseReport with_sanitizer_finding(CaseReport judged, const std::string& log) {
   finding.rule = "sanitizer";
   finding.meaning =
       "no memory is used that is not one's own, and nothing is done that C++ leaves undefined";
-  finding.actual = log.substr(log.find_first_not_of(' '), log.find('\n') - 2);
+  const std::string first_line = log.substr(0, log.find('\n'));
+  finding.actual =
+      first_line.substr(std::min(first_line.find_first_not_of(' '), first_line.size()));
   judged.verdict = Verdict::kCrashed;
   judged.findings = {{finding, {}}};
   return judged;

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
+#include <ctime>
 #include <iostream>
 #include <memory>
 #include <optional>

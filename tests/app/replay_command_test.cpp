@@ -1,5 +1,7 @@
 // `meshgrade replay` as a student calls it.
 
+#include <sstream>
+
 #include "tests/app/command_line.h"
 
 namespace meshgrade {
