@@ -38,7 +38,8 @@ void show_progress(const std::string& what, std::size_t done, std::size_t count)
 
 }  // namespace
 
-int check_adequacy(const AdequacyOptions& options) {
+Adequacy measure_standard_adequacy(const AdequacyOptions& options,
+                                   const JobProgress& progress) {
   const Assignment assignment = strict_assignment();
   if (!options.exercise.empty() && assignment.find(options.exercise) == nullptr) {
     throw UserError("\"" + options.exercise + "\" is no exercise of the assignment");
@@ -48,14 +49,17 @@ int check_adequacy(const AdequacyOptions& options) {
                                           const std::vector<std::string>& exercises) {
     return grade(assignment, submission, home, exercises, [](const std::string&) {});
   };
-  const std::filesystem::path source = source_folder();
-  const Adequacy adequacy =
-      measure_adequacy(assignment, find_originals(assignment),
-                       read_survivor_list(source / "tests" / "mutants" / "survivors.toml"),
-                       options, grade_quietly, show_progress);
+  const SurvivorList reviewed =
+      read_survivor_list(source_folder() / "tests" / "mutants" / "survivors.toml");
+  return measure_adequacy(assignment, find_originals(assignment), reviewed, options,
+                          grade_quietly, progress);
+}
+
+int check_adequacy(const AdequacyOptions& options) {
+  const Adequacy adequacy = measure_standard_adequacy(options, show_progress);
   std::cout << to_summary(adequacy);
   if (options.mutants == 0 && options.exercise.empty()) {
-    write_file_safely(source / "docs" / "adequacy.md", to_markdown(adequacy));
+    write_file_safely(source_folder() / "docs" / "adequacy.md", to_markdown(adequacy));
     std::cout << "wrote docs/adequacy.md\n";
   }
   return adequacy.is_proven() ? 0 : 1;

@@ -4,6 +4,9 @@
 
 namespace meshgrade {
 
+/// Grades the mutants and variants of the solutions next to the program's sources.
+Adequacy measure_standard_adequacy(const AdequacyOptions& options, const JobProgress& progress);
+
 /// `dev-check --mutants`: measures how well the grader grades, prints the figures, and writes
 /// docs/adequacy.md if nothing was left out.
 /// @return the exit code: 0 if all is proven, 1 if not

@@ -62,10 +62,11 @@ void run_again_alone(const Assignment& assignment, const ExerciseRubric& rubric,
   }
 }
 
-std::string conventions_note(const Conventions& conventions, const Conventions& all) {
-  if (conventions.size() == all.size()) return {};
-  const std::vector<std::string> names(conventions.begin(), conventions.end());
-  return "found: " + join(names, " or ");
+bool has_failure(const JudgedExercise& exercise) {
+  return std::any_of(exercise.cases.begin(), exercise.cases.end(), [](const JudgedCase& c) {
+    return c.judgement.verdict != Verdict::kPassed &&
+           c.judgement.verdict != Verdict::kNotImplemented;
+  });
 }
 
 JudgedExercise judge_exercise(const Assignment& assignment, const Submission& submission,
@@ -87,16 +88,10 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Submission& su
     judged.cases.push_back(
         {cases[i], std::move(judgements[i]), outcomes[i].output, outcomes[i].output_bytes});
   }
-  const std::string note = conventions_note(conventions, judge.conventions);
-  if (!note.empty()) judged.notes.push_back(note);
+  if (conventions.size() == 1 && !has_failure(judged)) {
+    judged.notes.push_back("found: " + *conventions.begin());
+  }
   return judged;
-}
-
-bool has_failure(const JudgedExercise& exercise) {
-  return std::any_of(exercise.cases.begin(), exercise.cases.end(), [](const JudgedCase& c) {
-    return c.judgement.verdict != Verdict::kPassed &&
-           c.judgement.verdict != Verdict::kNotImplemented;
-  });
 }
 
 /// Points from an exercise that fails to the ones that it calls and that fail as well.

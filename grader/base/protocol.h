@@ -54,8 +54,9 @@ enum class Ending : std::uint32_t {
   kOutOfMemory = 6,   ///< the memory limit
   kOutputLimit = 7,   ///< the result file or the student's output grew too large
   kWorkerFailed = 8,  ///< the worker could not do its own part
+  kSkipped = 9,       ///< not run: too many cases before it ran out of time
 };
-constexpr std::uint32_t kLastEnding = static_cast<std::uint32_t>(Ending::kWorkerFailed);
+constexpr std::uint32_t kLastEnding = static_cast<std::uint32_t>(Ending::kSkipped);
 
 /// The packed result of one completed step of a task.
 struct StepFrame {
@@ -88,6 +89,9 @@ struct EndFrame {
 
 /// A frame begins with its kind.
 enum class FrameKind : std::uint32_t { kStep = 0, kEnd = 1 };
+
+/// After so many tasks that ran out of time the worker gives up on the others.
+constexpr std::uint32_t kMostTimeouts = 3;
 
 /// The most that is kept of what a student's code prints in one case.
 constexpr std::size_t kKeptOutputBytes = 4096;

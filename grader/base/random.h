@@ -25,9 +25,12 @@ class Random {
   double between(double low, double high) { return low + (high - low) * unit(); }
 
  private:
-  /// FNV-1a over the name, so that the order in which streams are made does not matter.
+  /// FNV-1a over the seed and the name, so that the order in which streams are made does not
+  /// matter.
   static std::uint64_t mix(std::uint64_t seed, std::string_view stream) {
-    std::uint64_t hash = 14695981039346656037ULL ^ seed;
+    std::uint64_t hash = 14695981039346656037ULL;
+    for (int i = 0; i < 8; ++i)
+      hash = (hash ^ ((seed >> (8 * i)) & 0xFF)) * 1099511628211ULL;
     for (char c : stream)
       hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
     return hash;

@@ -44,6 +44,8 @@ struct CaseJudgement {
   Verdict verdict = Verdict::kPassed;
   std::vector<Finding> findings;  ///< the most telling first; empty if passed
   std::string note;               ///< for example why the case is not judged
+  /// Not judged, because the judge saw that another exercise is to blame: takes no points.
+  bool excused = false;
 };
 
 }  // namespace meshgrade

@@ -107,7 +107,6 @@ void judge_fault(const ExerciseJudge& judge, const Outcome& outcome, CaseJudgeme
 void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
   Finding finding;
   finding.stack = outcome.stack;
-  finding.expected = "the function returns";
   judgement.verdict = Verdict::kCrashed;
   switch (outcome.ending) {
     case Ending::kSignal:
@@ -116,6 +115,7 @@ void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
       break;
     case Ending::kExit:
       finding.rule = "exit";
+      finding.look_at = "calls of exit()";
       finding.actual =
           "the code ended the whole program (exit status " + std::to_string(outcome.code) + ")";
       break;
@@ -126,12 +126,14 @@ void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
     case Ending::kOutOfTime:
       judgement.verdict = Verdict::kOutOfTime;
       finding.rule = "out-of-time";
-      finding.actual = "the time limit was reached: a loop that does not end?";
+      finding.actual = outcome.subject.empty() ? "the time limit was reached" : outcome.subject;
+      finding.look_at = "a loop that does not end, or waiting (sleep, input)";
       break;
     case Ending::kOutOfMemory:
       judgement.verdict = Verdict::kOutOfMemory;
       finding.rule = "out-of-memory";
-      finding.actual = "the memory limit was reached: a loop that adds elements without end?";
+      finding.actual = "the memory limit was reached";
+      finding.look_at = "a loop that adds elements without end";
       break;
     default:
       finding.rule = "output-limit";
@@ -210,6 +212,11 @@ CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
   if (outcome.ending == Ending::kWorkerFailed) {
     judgement.verdict = Verdict::kGraderError;
     judgement.note = "the worker failed: " + outcome.subject;
+    return judgement;
+  }
+  if (outcome.ending == Ending::kSkipped) {
+    judgement.verdict = Verdict::kOutOfTime;
+    judgement.note = "not run: cases before this one ran out of time";
     return judgement;
   }
   judge_steps(judge, task, conventions, judgement);

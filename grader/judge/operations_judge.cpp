@@ -439,6 +439,7 @@ void leave_to_other_exercise(const JudgeTask& task, const OperationsInput& input
   if (other == task.asked.exercise || !stopped) return;
   judgement.findings.clear();
   judgement.verdict = Verdict::kNotJudged;
+  judgement.excused = true;
   judgement.note = "operation " + std::to_string(done + 1) + ", a " +
                    (flip ? "flip" : "split") + ", goes wrong: see " + other;
 }
@@ -454,12 +455,16 @@ void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
     const auto step = from_wire<OperationStep>(task.outcome.steps[i]);
     const Ref a = live_vertex(before, input.operations[i].a);
     const Ref b = live_vertex(before, input.operations[i].b);
-    if (step.edge != find_edge(before, a, b)) throw WireError("another edge");
+    const Ref edge = find_edge(before, a, b);
+    if (edge == kUnsetRef || step.edge != edge) throw WireError("another edge");
     StepJudge(task, before, input.operations[i], step, step_text(input, i, a, b), judgement)
         .judge();
     if (!judgement.findings.empty() || judgement.verdict != Verdict::kPassed) break;
     before = step.after;
     ++done;
+  }
+  if (judgement.findings.empty() && judgement.verdict == Verdict::kPassed) {
+    require_all_steps(task.outcome, input.operations.size());
   }
   if (!judgement.findings.empty()) judgement.verdict = Verdict::kFailed;
   leave_to_other_exercise(task, input, done, judgement);

@@ -60,8 +60,8 @@ class Differ {
   std::string corners_text() const {
     std::string text = "the edge runs from b = " + vertex_name(diamond_.b) +
                        " to c = " + vertex_name(diamond_.c) +
-                       "; opposite lies a = " + vertex_name(diamond_.a);
-    if (diamond_.d != kUnsetRef) text += " and d = " + vertex_name(diamond_.d);
+                       "; opposite: a = " + vertex_name(diamond_.a);
+    if (diamond_.d != kUnsetRef) text += ", d = " + vertex_name(diamond_.d);
     if (split_vertex_ == kUnsetRef) return text;
     const Ref mine = match_.vertices[split_vertex_];
     return text + "; m is the new vertex" + (mine == kUnsetRef ? "" : " " + vertex_name(mine));
@@ -122,8 +122,7 @@ class Differ {
   void add_cell(PointerRow& row, PointerCell cell, bool was_set) {
     if (cell.wrong) {
       const std::string& column = table().columns[row.cells.size()];
-      const std::string owner =
-          row.element.empty() ? "(not created: " + row.role + ")" : row.element;
+      const std::string owner = row.element.empty() ? "the new " + row.role : row.element;
       diff_.wrong.push_back(
           {owner + "." + column, row.role, cell.expected, cell.yours, was_set});
     }

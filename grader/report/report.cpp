@@ -57,6 +57,7 @@ CaseReport to_case_report(const JudgedCase& judged, const SourceLines& sources) 
   report.title = judged.asked.title;
   report.verdict = judged.judgement.verdict;
   report.note = judged.judgement.note;
+  report.excused = judged.judgement.excused;
   report.output = judged.output;
   report.output_bytes = judged.output_bytes;
   for (const Finding& finding : judged.judgement.findings) {
@@ -75,7 +76,7 @@ GroupReport add_up(const Group& group, const std::vector<CaseReport>& cases,
   for (const CaseReport& c : cases) {
     if (c.group != group.name) continue;
     ++report.cases;
-    report.judged += c.verdict != Verdict::kNotJudged ? 1 : 0;
+    report.judged += c.excused ? 0 : 1;
     report.passed += c.verdict == Verdict::kPassed ? 1 : 0;
   }
   const bool needed_group_failed =
@@ -96,7 +97,7 @@ Verdict overall_verdict(const ExerciseReport& exercise) {
   for (const GroupReport& group : exercise.groups) {
     if (group.extra_credit) continue;
     for (const CaseReport& c : exercise.cases) {
-      if (c.group != group.name || c.verdict == Verdict::kPassed) continue;
+      if (c.group != group.name || c.verdict == Verdict::kPassed || c.excused) continue;
       if (c.verdict == Verdict::kGraderError) return c.verdict;
       if (verdict == Verdict::kPassed || verdict == Verdict::kNotJudged) verdict = c.verdict;
     }

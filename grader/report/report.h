@@ -32,7 +32,8 @@ struct CaseReport {
   Verdict verdict = Verdict::kPassed;
   std::vector<FindingReport> findings;
   std::string note;
-  std::string output;  ///< what the code printed in this case, cut off
+  bool excused = false;  ///< does not count: see CaseJudgement
+  std::string output;    ///< what the code printed in this case, cut off
   std::uint64_t output_bytes = 0;
 };
 
@@ -43,7 +44,7 @@ struct GroupReport {
   double points = 0.0;
   double max_points = 0.0;
   std::size_t passed = 0;
-  std::size_t judged = 0;  ///< cases that count: all but those that are not judged
+  std::size_t judged = 0;  ///< cases that count: all but those that are excused
   std::size_t cases = 0;
 };
 

@@ -76,7 +76,7 @@ Outcome to_outcome(TaskResult task) {
 /// For the tasks that the result file says nothing about.
 Outcome unfinished(const ProcessResult& worker) {
   Outcome outcome;
-  outcome.ending = worker.timed_out     ? Ending::kOutOfTime
+  outcome.ending = worker.timed_out     ? Ending::kSkipped
                    : worker.signal != 0 ? Ending::kSignal
                                         : Ending::kExit;
   outcome.code = worker.signal != 0 ? worker.signal : worker.status;

@@ -99,12 +99,21 @@ TEST_F(Points, NeededGroupThatEarnsSomethingIsEnough) {
   EXPECT_EQ(exercise().points, 6.0);
 }
 
-TEST_F(Points, CasesThatAreNotJudgedDoNotCount) {
+TEST_F(Points, CasesThatAreNotJudgedEarnNothing) {
+  add(group("some", 5), {kPass, kNone});
+  EXPECT_EQ(exercise().points, 0.0);
+  EXPECT_EQ(exercise().verdict, Verdict::kNotJudged);
+}
+
+TEST_F(Points, ExcusedCasesDoNotCount) {
   add(group("some", 5), {kPass, kNone});
   add(group("none", 3), {kNone, kNone});
+  for (JudgedCase& c : judged_.cases)
+    c.judgement.excused = c.judgement.verdict == kNone;
   EXPECT_EQ(exercise().points, 5.0);
   EXPECT_EQ(exercise().groups[0].judged, 1U);
   EXPECT_EQ(exercise().groups[1].judged, 0U);
+  EXPECT_EQ(exercise().verdict, Verdict::kPassed);
 }
 
 TEST_F(Points, ReportIsTheSumOfItsExercises) {

@@ -93,6 +93,8 @@ class LevelsJudge {
     std::map<std::string, PolygonMesh> meshes;
     for (const std::string& name : conventions_)
       meshes[name] = input.mesh;
+    old_ = input.mesh;
+    before_ = to_surface(input.mesh);
     std::vector<Ref> old_to_mine(input.mesh.positions.size());
     for (Ref v = 0; v < old_to_mine.size(); ++v)
       old_to_mine[v] = v;
@@ -111,6 +113,8 @@ class LevelsJudge {
       // Weights that this level rules out must not come back at the next one.
       std::erase_if(meshes, [&](const auto& m) { return conventions_.count(m.first) == 0; });
       old_to_mine = match_;
+      old_ = meshes.begin()->second;
+      before_ = mesh;
     }
     require_all_steps(task_.outcome, input.levels);
   }
