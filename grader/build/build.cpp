@@ -85,6 +85,8 @@ class Builder {
       write_file(path(file.name), file.text);
     const std::size_t sources = submission_.sources.size();
     const std::vector<std::string> adapters = adapter_files(submission_.dialect);
+    for (const SourceFile& source : submission_.sources)
+      rests_.emplace_back(source.name, source.text);
     build_.files.resize(sources + adapters.size());
     in_parallel(build_.files.size(), [&](std::size_t i) {
       if (i < sources) {
@@ -155,24 +157,28 @@ class Builder {
 
   /// Leaves out functions that do not compile, until the rest does or none is left to blame.
   void compile_source(std::size_t i) {
-    const SourceFile& source = submission_.sources[i];
     BuiltFile& file = build_.files[i];
-    file.name = source.name;
-    LeavingOut rest(source.name, source.text);
-    if (submission_.dialect == Dialect::kCourse2016) rest.remove_members("BezierPatch");
-    write_file(path(file.name), rest.text());
-    ProcessResult result = compile(file.name, object_name(file.name));
+    file.name = submission_.sources[i].name;
+    if (submission_.dialect == Dialect::kCourse2016) rests_[i].remove_members("BezierPatch");
+    ProcessResult result = compile_rest(i);
     file.messages = messages_of(result);
     if (submission_.dialect != Dialect::kMeshedit) {
       file.notes = explain_added_members(file.messages, submission_.course_headers);
     }
     for (int round = 0; round < kRounds && !result.ok() && !result.timed_out; ++round) {
-      if (!rest.learn_from(clean(result.output))) break;
-      write_file(path(file.name), rest.text());
-      result = compile(file.name, object_name(file.name));
+      if (!rests_[i].learn_from(clean(result.output))) break;
+      result = compile_rest(i);
     }
+  }
+
+  /// Compiles what is left of a source.
+  ProcessResult compile_rest(std::size_t i) {
+    BuiltFile& file = build_.files[i];
+    write_file(path(file.name), rests_[i].text());
+    ProcessResult result = compile(file.name, object_name(file.name));
     file.ok = result.ok();
-    if (file.ok) file.left_out = rest.left_out();
+    file.left_out = file.ok ? rests_[i].left_out() : std::vector<LeftOut>();
+    return result;
   }
 
   void compile_adapter(BuiltFile& file, const std::string& name) const {
@@ -189,6 +195,20 @@ class Builder {
     return run_process(command(std::move(arguments)));
   }
 
+  /// Leaves out functions that call what is defined nowhere.
+  /// @return false if there is none, or its file does not compile without it
+  bool leave_out_callers(const ProcessResult& linked) {
+    const std::string messages = clean(linked.output);
+    bool found = false;
+    for (std::size_t i = 0; i < rests_.size(); ++i) {
+      if (!build_.files[i].ok || !rests_[i].learn_from(messages)) continue;
+      build_.files[i].messages += messages;
+      if (!compile_rest(i).ok()) return false;
+      found = true;
+    }
+    return found;
+  }
+
   /// Links all that compiled. If that fails, adds the objects one by one, until none is left
   /// that can be added: a file may need another one that comes later.
   void link_all() {
@@ -196,7 +216,10 @@ class Builder {
     for (std::size_t i = 0; i < build_.files.size(); ++i) {
       if (build_.files[i].ok) waiting.push_back(i);
     }
-    const ProcessResult first = link(waiting);
+    ProcessResult first = link(waiting);
+    for (int round = 0; round < kRounds && !first.ok() && leave_out_callers(first); ++round) {
+      first = link(waiting);
+    }
     if (first.ok()) return;
     std::vector<std::size_t> taken;
     for (bool progress = true; progress;) {
@@ -224,6 +247,7 @@ class Builder {
   const Limits& limits_;
   std::string flags_;
   Build build_;
+  std::vector<LeavingOut> rests_;  ///< of the sources
 };
 
 }  // namespace

@@ -14,17 +14,27 @@ struct Complaint {
   std::string message;
 };
 
-/// "edge_flip.cpp:12:5: error: expected ';'" gives 12 and "expected ';'".
+/// Where the place in this file begins that a message names, behind the file's name.
+std::size_t place_in(const std::string& file, const std::string& line) {
+  const std::string name = file + ":";
+  const std::size_t at = line.find(name);
+  const bool whole_name =
+      at == 0 || (at != std::string::npos && (line[at - 1] == '/' || line[at - 1] == ' '));
+  return whole_name ? at + name.size() : std::string::npos;
+}
+
+/// "a.cpp:12:5: error: expected ';'" gives 12 and "expected ';'". The linker's
+/// "./a.cpp:12: undefined reference to `f'" is understood as well.
 std::vector<Complaint> complaints_about(const std::string& file, const std::string& messages) {
   std::vector<Complaint> complaints;
-  const std::string start = file + ":";
   for (const std::string& line : split_lines(messages)) {
-    if (line.rfind(start, 0) != 0) continue;
-    for (const std::string mark : {": error: ", ": fatal error: "}) {
-      const std::size_t found = line.find(mark);
+    const std::size_t place = place_in(file, line);
+    if (place == std::string::npos) continue;
+    for (const std::string mark : {": error: ", ": undefined reference to "}) {
+      const std::size_t found = line.find(mark, place);
       if (found == std::string::npos) continue;
-      complaints.push_back(
-          {std::atoi(line.c_str() + start.size()), line.substr(found + mark.size())});
+      const std::size_t text = mark == ": error: " ? found + mark.size() : found + 2;
+      complaints.push_back({std::atoi(line.c_str() + place), line.substr(text)});
       break;
     }
   }

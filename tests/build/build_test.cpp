@@ -62,10 +62,11 @@ TEST(Build, SameFunctionInTwoFilesLeavesOneOutWithAMessage) {
   EXPECT_EQ(first_normal(build), (Point3{1, 0, 0}));
 }
 
-TEST(Build, FunctionThatIsNowhereCostsOnlyItsFile) {
+TEST(Build, FunctionThatIsNowhereCostsOnlyItsCaller) {
   const Build build =
       build_sources({{"a.cpp", "int nowhere(); int a() { return nowhere(); }\n"}, kGoodNormal});
-  EXPECT_FALSE(build.find("a.cpp")->ok);
+  ASSERT_EQ(build.find("a.cpp")->left_out.size(), 1U);
+  EXPECT_EQ(build.find("a.cpp")->left_out[0].function, "a");
   EXPECT_NE(build.find("a.cpp")->messages.find("nowhere"), std::string::npos);
   EXPECT_EQ(first_normal(build), (Point3{1, 0, 0}));
 }

@@ -166,6 +166,13 @@ TEST(BrokenFunction, MayBeTheLastThatLacksABrace) {
   expect_independent_exercises_passed(report);
 }
 
+TEST(BrokenFunction, MayCallWhatIsDefinedNowhere) {
+  const Report report =
+      grade_all(hand_in_with("Vector3D n(0, 0, 0);", "Vector3D zero(); Vector3D n = zero();"));
+  EXPECT_EQ(verdicts(report)["vertex_normal"], "not compiled");
+  EXPECT_EQ(report.points, report.max_points - 15.0);
+}
+
 TEST(BrokenFunction, MayBeAHelperOfOneExercise) {
   const Report report = grade_all(hand_in_with("Vector3D sum = 0;", "Vector3D sum = nothing;"));
   EXPECT_EQ(verdicts(report)["loop_subdivision"], "not compiled");

@@ -53,6 +53,14 @@ TEST(LeavingOut, LinesKeepTheirNumbers) {
   EXPECT_EQ(lines(rest.text().substr(0, rest.text().find("int third"))), 4);
 }
 
+TEST(LeavingOut, TheLinkerIsUnderstood) {
+  LeavingOut rest("a.cpp", kText);
+  ASSERT_TRUE(rest.learn_from("ld: ././a.cpp:3: undefined reference to `x()'\n"));
+  EXPECT_EQ(rest.left_out()[0].function, "second");
+  EXPECT_EQ(rest.left_out()[0].message, "undefined reference to `x()'");
+  EXPECT_FALSE(rest.learn_from("other_a.cpp:3: undefined reference to `x()'\n"));
+}
+
 TEST(LeavingOut, NothingIsToBlameOutsideOfFunctions) {
   LeavingOut rest("a.cpp", "int a = b;\n\nint f() { return 1; }\n");
   EXPECT_FALSE(rest.learn_from("a.cpp:1:9: error: 'b' was not declared\n"));
