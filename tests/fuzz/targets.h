@@ -9,4 +9,5 @@
 
 /// Reads the bytes as its target's kind of file. Whatever they are, the only exceptions that
 /// leave a reader are those of its contract; all others end the program.
+// NOLINTNEXTLINE(readability-identifier-naming): the name is libFuzzer's
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
