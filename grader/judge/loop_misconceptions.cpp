@@ -197,10 +197,7 @@ class PositionPredictor {
         nullptr);
     add("edges-from-moved",
         "edge points are computed from old vertices that have moved already", nullptr,
-        [this](const Origin& e) {
-          std::vector<Point3> moved = near_.positions;
-          for (const auto& [v, i] : place_of_old_)
-            moved[v] = variants_[0][i];
+        [this, moved = moved_rightly()](const Origin& e) {
           return is_inside(e) ? near_.edge_point(e, 0.375, 0.125, moved)
                               : near_.edge_point(e, 0.5, 0.0, moved);
         });
@@ -209,6 +206,13 @@ class PositionPredictor {
         "old vertices are moved one after the other, so that later ones see "
         "neighbours that have moved already: compute all, then move",
         [moved = moved_in_place()](const Origin& v) { return moved[v.a]; }, nullptr);
+  }
+
+  std::vector<Point3> moved_rightly() const {
+    std::vector<Point3> moved = near_.positions;
+    for (const auto& [v, i] : place_of_old_)
+      moved[v] = variants_[0][i];
+    return moved;
   }
 
   std::vector<Point3> moved_in_place() const {
