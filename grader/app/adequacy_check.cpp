@@ -16,6 +16,9 @@ namespace {
 constexpr std::uint32_t kCaseMilliseconds = 500;
 constexpr std::uint32_t kMemoryMegabytes = 1024;
 
+/// A smaller sample is for trying things out.
+constexpr std::size_t kMutantsOfAPage = 600;
+
 Assignment strict_assignment() {
   Assignment assignment = read_assignment(standard_assignment());
   assignment.limits.case_cpu_ms = kCaseMilliseconds;
@@ -58,7 +61,8 @@ Adequacy measure_standard_adequacy(const AdequacyOptions& options,
 int check_adequacy(const AdequacyOptions& options) {
   const Adequacy adequacy = measure_standard_adequacy(options, show_progress);
   std::cout << to_summary(adequacy);
-  if (options.mutants == 0 && options.exercise.empty()) {
+  const bool tells_enough = adequacy.mutants.size() >= kMutantsOfAPage;
+  if (tells_enough && options.exercise.empty()) {
     write_file_safely(source_folder() / "docs" / "adequacy.md", to_markdown(adequacy));
     std::cout << "wrote docs/adequacy.md\n";
   }

@@ -18,8 +18,8 @@ std::vector<T> draw(std::vector<T> list, std::size_t count, Random random) {
   return list;
 }
 
-std::vector<Mutant> choose_mutants(const std::vector<Original>& originals,
-                                   const AdequacyOptions& options) {
+std::vector<Mutant> find_mutants(const std::vector<Original>& originals,
+                                 const AdequacyOptions& options) {
   std::vector<Mutant> mutants;
   for (const Original& original : originals) {
     for (const SourceFile& file : original.submission.sources) {
@@ -28,7 +28,7 @@ std::vector<Mutant> choose_mutants(const std::vector<Original>& originals,
         mutants.push_back(std::move(mutant));
     }
   }
-  return draw(std::move(mutants), options.mutants, Random(options.seed, "mutants"));
+  return mutants;
 }
 
 void compare_with_list(Adequacy& adequacy) {
@@ -89,8 +89,11 @@ Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Origin
   adequacy.reviewed = reviewed;
   for (const ExerciseRubric& rubric : assignment.exercises)
     adequacy.exercises.push_back(rubric.name);
-  adequacy.mutants = grade_mutants(assignment, originals, choose_mutants(originals, options),
-                                   grade, options.jobs, progress);
+  std::vector<Mutant> mutants = find_mutants(originals, options);
+  adequacy.possible_mutants = mutants.size();
+  mutants = draw(std::move(mutants), options.mutants, Random(options.seed, "mutants"));
+  adequacy.mutants =
+      grade_mutants(assignment, originals, mutants, grade, options.jobs, progress);
   compare_with_list(adequacy);
   adequacy.variants =
       grade_variants(originals, options.variants, options.seed, grade, options.jobs, progress);

@@ -23,6 +23,7 @@ struct AdequacyOptions {
 struct Adequacy {
   AdequacyOptions options;
   std::vector<std::string> exercises;
+  std::size_t possible_mutants = 0;  ///< of which `mutants` are all, or drawn
   std::vector<MutantResult> mutants;
   SurvivorList reviewed;
   std::vector<std::string> unexplained;    ///< survivors that are not in the list

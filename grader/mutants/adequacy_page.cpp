@@ -89,9 +89,16 @@ std::size_t missed(const Adequacy& adequacy, const Choice& choice) {
       }));
 }
 
+std::string sample_text(const Adequacy& adequacy) {
+  if (adequacy.mutants.size() == adequacy.possible_mutants) return "All were graded.\n\n";
+  return std::to_string(adequacy.mutants.size()) + " of the " +
+         std::to_string(adequacy.possible_mutants) + " mutants were drawn with the seed " +
+         std::to_string(adequacy.options.seed) + " and graded.\n\n";
+}
+
 std::string exercise_table(const Adequacy& adequacy) {
   std::string table =
-      "\n## Killed, survived, not compiled\n\n"
+      "\n## Killed, survived, not compiled\n\n" + sample_text(adequacy) +
       "| exercise | mutants | do not compile | killed | survived, but right | missed |\n"
       "|---|---:|---:|---:|---:|---:|\n";
   const auto add = [&](const std::string& name, const Choice& choice) {

@@ -93,16 +93,10 @@ const Original& original_of(const std::vector<Original>& originals, const Mutant
 
 }  // namespace
 
-MutantSubmission to_submission(const Assignment& assignment, const Original& original,
-                               const Mutant& mutant) {
-  MutantSubmission made;
-  std::vector<std::string> needed;
-  for (const ExerciseRubric& rubric : assignment.exercises) {
-    if (rubric.name != mutant.exercise && !contains(rubric.needs, mutant.exercise)) continue;
-    made.exercises.push_back(rubric.name);
-    needed.push_back(rubric.name);
-    needed.insert(needed.end(), rubric.needs.begin(), rubric.needs.end());
-  }
+MutantSubmission own_exercise(const Assignment& assignment, const Original& original,
+                              const Mutant& mutant) {
+  const std::vector<std::string>& needed = assignment.find(mutant.exercise)->needs;
+  MutantSubmission made{{}, {mutant.exercise}};
   made.submission.name = original.name;
   for (const SourceFile& file : original.submission.sources) {
     if (file.name == mutant.file) {
@@ -114,6 +108,18 @@ MutantSubmission to_submission(const Assignment& assignment, const Original& ori
   return made;
 }
 
+MutantSubmission all_exercises(const Assignment& assignment, const Original& original,
+                               const Mutant& mutant) {
+  MutantSubmission made{original.submission, {}};
+  made.submission.name = original.name;
+  for (SourceFile& file : made.submission.sources) {
+    if (file.name == mutant.file) file.text = mutant.text;
+  }
+  for (const ExerciseRubric& rubric : assignment.exercises)
+    made.exercises.push_back(rubric.name);
+  return made;
+}
+
 std::vector<MutantResult> grade_mutants(const Assignment& assignment,
                                         const std::vector<Original>& originals,
                                         const std::vector<Mutant>& mutants,
@@ -121,12 +127,16 @@ std::vector<MutantResult> grade_mutants(const Assignment& assignment,
                                         const JobProgress& progress) {
   const auto work = [&](std::size_t i) {
     const Mutant& mutant = mutants[i];
-    const MutantSubmission made =
-        to_submission(assignment, original_of(originals, mutant), mutant);
+    const Original& original = original_of(originals, mutant);
     const ExerciseJudge judge = find_exercise_judge(*assignment.find(mutant.exercise));
+    const auto look_at = [&](const MutantSubmission& made) {
+      return summarise(grade(made.submission, made.exercises), mutant,
+                       judge.functions.size() > 1);
+    };
     try {
-      const Report report = grade(made.submission, made.exercises);
-      return to_wire(summarise(report, mutant, judge.functions.size() > 1));
+      const Graded graded = look_at(own_exercise(assignment, original, mutant));
+      if (graded.fate != Fate::kSurvived) return to_wire(graded);
+      return to_wire(look_at(all_exercises(assignment, original, mutant)));
     } catch (const GraderError& error) {
       return to_wire(Graded{Fate::kGraderFailed, error.what(), "", "", false});
     }

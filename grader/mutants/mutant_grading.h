@@ -34,16 +34,21 @@ struct MutantResult {
   bool names_pointer() const { return wrong_pointers.count(named_pointer(element)) != 0; }
 };
 
-/// What a mutant is graded as: the exercise of its file and those that call its function, with
-/// the original's other files that these need.
+/// What a mutant is graded as.
 struct MutantSubmission {
   Submission submission;
   std::vector<std::string> exercises;
 };
-MutantSubmission to_submission(const Assignment& assignment, const Original& original,
+/// The exercise of the mutant's file alone, with the original's other files that it needs.
+MutantSubmission own_exercise(const Assignment& assignment, const Original& original,
+                              const Mutant& mutant);
+/// The whole submission, and all exercises.
+MutantSubmission all_exercises(const Assignment& assignment, const Original& original,
                                const Mutant& mutant);
 
-/// Grades all, `jobs` at a time.
+/// Grades all, `jobs` at a time: by the exercise of the file, and if that finds nothing, by the
+/// others, which may call its functions. (The first exercise that loses points is the same as
+/// if all were graded at once: exercises come before those that call them.)
 std::vector<MutantResult> grade_mutants(const Assignment& assignment,
                                         const std::vector<Original>& originals,
                                         const std::vector<Mutant>& mutants,

@@ -102,7 +102,7 @@ DeterminismResult compare_runs(const Assignment& assignment,
   for (const Mutant& mutant : mutants) {
     for (const Original& original : originals) {
       if (original.name != mutant.original) continue;
-      submissions.push_back(to_submission(assignment, original, mutant));
+      submissions.push_back(own_exercise(assignment, original, mutant));
     }
   }
   const std::size_t n = submissions.size();
