@@ -9,7 +9,6 @@ namespace meshgrade {
 namespace {
 
 using testing::ContainsRegex;
-using testing::HasSubstr;
 
 class ListCommand : public CommandLine {
  protected:
