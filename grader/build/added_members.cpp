@@ -11,6 +11,8 @@
 namespace meshgrade {
 namespace {
 
+constexpr std::size_t kMostSentences = 20;
+
 /// The words of a text that can be names in C++.
 std::vector<std::string> names_in(const std::string& text) {
   std::vector<std::string> names(1);
@@ -114,6 +116,7 @@ std::vector<std::string> explain_added_members(const std::string& messages,
   std::vector<std::string> sentences;
   std::set<Member> told;
   for (const std::string& line : split_lines(messages)) {
+    if (sentences.size() == kMostSentences) break;
     const std::string message = behind(line, ": error: ");
     Member member = used_member(message);
     if (member.class_name.empty()) member = defined_member(message);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <fstream>
 #include <thread>
 
@@ -107,11 +108,15 @@ class Builder {
 
   fs::path path(const std::string& name) const { return build_.folder.path() / name; }
 
+  std::chrono::seconds time_limit() const {
+    return std::chrono::seconds(limits_.compile_seconds);
+  }
+
   Command command(std::vector<std::string> arguments) const {
     Command command;
     command.arguments = std::move(arguments);
     command.folder = build_.folder.path();
-    command.time_limit = std::chrono::seconds(limits_.compile_seconds);
+    command.time_limit = time_limit();
     command.kept_output = 64U << 10U;
     return command;
   }
@@ -160,12 +165,14 @@ class Builder {
     BuiltFile& file = build_.files[i];
     file.name = submission_.sources[i].name;
     if (submission_.dialect == Dialect::kCourse2016) rests_[i].remove_members("BezierPatch");
+    const auto end = std::chrono::steady_clock::now() + time_limit();
     ProcessResult result = compile_rest(i);
     file.messages = messages_of(result);
     if (submission_.dialect != Dialect::kMeshedit) {
       file.notes = explain_added_members(file.messages, submission_.course_headers);
     }
-    for (int round = 0; round < kRounds && !result.ok() && !result.timed_out; ++round) {
+    for (int round = 0; round < kRounds && !result.ok(); ++round) {
+      if (std::chrono::steady_clock::now() > end) break;
       if (!rests_[i].learn_from(clean(result.output))) break;
       result = compile_rest(i);
     }

@@ -106,10 +106,11 @@ class Finder {
       start_ = at_ + 1;
     } else {
       pass_block();
+      start_ = at_ + 1;
     }
   }
 
-  /// Leaves `at_` at the brace that closes the block. The words that follow belong to it.
+  /// Leaves `at_` at the brace that closes the block.
   void pass_block() {
     int depth = 0;
     for (; at_ < code_.size(); ++at_) {

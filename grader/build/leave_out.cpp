@@ -41,14 +41,26 @@ std::vector<Complaint> complaints_about(const std::string& file, const std::stri
   return complaints;
 }
 
-int line_of(const std::string& text, std::size_t offset) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text.size()));
-  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-}
+/// A file in which more functions than this are to blame is broken as a whole.
+constexpr std::size_t kMostBlamed = 100;
 
-bool holds(const FunctionExtent& function, const std::string& text, int line) {
-  return line_of(text, function.begin) <= line && line <= line_of(text, function.end);
-}
+/// Tells on which line a character stands.
+class LineNumbers {
+ public:
+  explicit LineNumbers(const std::string& text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] == '\n') ends_.push_back(i);
+    }
+  }
+
+  int line_of(std::size_t offset) const {
+    return 1 + static_cast<int>(std::lower_bound(ends_.begin(), ends_.end(), offset) -
+                                ends_.begin());
+  }
+
+ private:
+  std::vector<std::size_t> ends_;
+};
 
 /// Replaces a part of the text by `code`, with the line ends that were there.
 void replace_part(std::string& text, std::size_t begin, std::size_t end,
@@ -69,6 +81,7 @@ const LeftOut* find(const std::vector<LeftOut>& list, const std::string& functio
 /// The functions to blame, each with its first complaint.
 std::vector<std::pair<FunctionExtent, Complaint>> to_blame(
     const std::string& text, const std::vector<Complaint>& complaints) {
+  const LineNumbers lines(text);
   const std::vector<FunctionExtent> functions = find_functions(text);
   const bool any_unbalanced = std::any_of(functions.begin(), functions.end(),
                                           [](const auto& f) { return !f.balanced; });
@@ -77,13 +90,15 @@ std::vector<std::pair<FunctionExtent, Complaint>> to_blame(
     if (any_unbalanced) {
       if (!function.balanced) {
         blamed.push_back(
-            {function, {line_of(text, function.body), "its braces { } do not match"}});
+            {function, {lines.line_of(function.body), "its braces { } do not match"}});
       }
       continue;
     }
+    const int begin = lines.line_of(function.begin);
+    const int end = lines.line_of(function.end);
     const auto first =
         std::find_if(complaints.begin(), complaints.end(),
-                     [&](const Complaint& c) { return holds(function, text, c.line); });
+                     [&](const Complaint& c) { return begin <= c.line && c.line <= end; });
     if (first != complaints.end()) blamed.push_back({function, *first});
   }
   return blamed;
@@ -93,6 +108,7 @@ std::vector<std::pair<FunctionExtent, Complaint>> to_blame(
 
 bool LeavingOut::learn_from(const std::string& messages) {
   auto blamed = to_blame(text_, complaints_about(file_, messages));
+  if (blamed.size() > kMostBlamed) return false;
   std::reverse(blamed.begin(), blamed.end());  // so that offsets before stay right
   for (const auto& [function, complaint] : blamed) {
     if (find(left_out_, function.name) != nullptr) {

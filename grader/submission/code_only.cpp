@@ -70,7 +70,8 @@ class Blanker {
   /// Up to the end of the line, or to a comment, which may go on in the next line.
   void blank_directive() {
     const std::size_t end = line_end(at_);
-    blank_to(std::min(end, text_.find("/*", at_)));
+    const std::size_t comment = text_.substr(at_, end - at_).find("/*");
+    blank_to(comment == std::string_view::npos ? end : at_ + comment);
   }
 
   void blank_quoted(char quote) {
