@@ -73,14 +73,15 @@ Outcome to_outcome(TaskResult task) {
   return outcome;
 }
 
-/// For the tasks that the result file says nothing about.
+/// For the first task that the result file says nothing about.
 Outcome unfinished(const ProcessResult& worker) {
   Outcome outcome;
-  outcome.ending = worker.timed_out     ? Ending::kSkipped
+  outcome.ending = worker.timed_out     ? Ending::kOutOfTime
                    : worker.signal != 0 ? Ending::kSignal
                                         : Ending::kExit;
   outcome.code = worker.signal != 0 ? worker.signal : worker.status;
-  outcome.subject = "the program ended before this case";
+  outcome.subject = worker.timed_out ? "the time for all cases together was used up"
+                                     : "the program ended before this case";
   return outcome;
 }
 
@@ -157,8 +158,10 @@ std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*
     read.assign(cases.size(), {});  // forged: nothing in it counts
   }
   std::vector<Outcome> outcomes;
+  Outcome for_missing = unfinished(worker);
   for (TaskResult& task : read) {
-    outcomes.push_back(task.ended ? to_outcome(task) : unfinished(worker));
+    outcomes.push_back(task.ended ? to_outcome(task) : for_missing);
+    if (!task.ended && worker.timed_out) for_missing.ending = Ending::kSkipped;
   }
   add_stacks(build, read, outcomes);
   return outcomes;

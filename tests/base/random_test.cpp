@@ -32,12 +32,20 @@ TEST(Random, AnotherSeedOrStreamGivesOtherNumbers) {
 }
 
 TEST(Random, StreamIsTheStandardEngineSeededByFnv1a) {
-  // The definition: 64-bit FNV-1a of the name, with the seed in its offset basis.
-  const std::uint64_t hash = (14695981039346656037ULL ^ 7U ^ 'x') * 1099511628211ULL;
+  // The definition: 64-bit FNV-1a of the eight bytes of the seed, lowest first, and the name.
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (unsigned char byte : std::string({7, 0, 0, 0, 0, 0, 0, 0, 'x'}))
+    hash = (hash ^ byte) * 1099511628211ULL;
   std::mt19937_64 engine(hash);
   Random random(7, "x");
   for (int i = 0; i < 10; ++i)
     EXPECT_EQ(random.below(1000), engine() % 1000);
+}
+
+TEST(Random, SeedAndNameDoNotMix) {
+  Random one(1, "a");
+  Random other(2, "b");  // 1 ^ 'a' is 2 ^ 'b'
+  EXPECT_NE(one.unit(), other.unit());
 }
 
 TEST(Random, UnitsFitIntoAFloatAndAreSpreadEvenly) {
