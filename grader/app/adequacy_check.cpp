@@ -58,13 +58,16 @@ Adequacy measure_standard_adequacy(const AdequacyOptions& options,
                           grade_quietly, progress);
 }
 
-int check_adequacy(const AdequacyOptions& options) {
+int check_adequacy(const AdequacyOptions& options, const std::string& page) {
   const Adequacy adequacy = measure_standard_adequacy(options, show_progress);
   std::cout << to_summary(adequacy);
-  const bool tells_enough = adequacy.mutants.size() >= kMutantsOfAPage;
-  if (tells_enough && options.exercise.empty()) {
-    write_file_safely(source_folder() / "docs" / "adequacy.md", to_markdown(adequacy));
-    std::cout << "wrote docs/adequacy.md\n";
+  const bool tells_enough =
+      adequacy.mutants.size() >= kMutantsOfAPage && options.exercise.empty();
+  if (tells_enough || !page.empty()) {
+    const std::filesystem::path file =
+        page.empty() ? source_folder() / "docs" / "adequacy.md" : std::filesystem::path(page);
+    write_file_safely(file, to_markdown(adequacy));
+    std::cout << "wrote " << file.string() << "\n";
   }
   return adequacy.is_proven() ? 0 : 1;
 }

@@ -8,8 +8,8 @@ namespace meshgrade {
 Adequacy measure_standard_adequacy(const AdequacyOptions& options, const JobProgress& progress);
 
 /// `dev-check --mutants`: measures how well the grader grades, prints the figures, and writes
-/// docs/adequacy.md if nothing was left out.
+/// docs/adequacy.md if enough was graded, or `page` if one is named.
 /// @return the exit code: 0 if all is proven, 1 if not
-int check_adequacy(const AdequacyOptions& options);
+int check_adequacy(const AdequacyOptions& options, const std::string& page);
 
 }  // namespace meshgrade

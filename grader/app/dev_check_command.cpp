@@ -125,6 +125,7 @@ void add_dev_check_command(CLI::App& app, int& exit_code) {
     bool write = false;
     bool mutants = false;
     AdequacyOptions adequacy;
+    std::string page;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
@@ -144,6 +145,10 @@ void add_dev_check_command(CLI::App& app, int& exit_code) {
       ->needs(mutants);
   command->add_option("--only", options->adequacy.exercise, "Only mutants of this exercise")
       ->needs(mutants);
+  command
+      ->add_option("--page", options->page,
+                   "Write the page to this file, however few are graded")
+      ->needs(mutants);
   command->add_option("-j,--jobs", options->adequacy.jobs, "How many are graded at a time (2)")
       ->needs(mutants);
   command->footer(
@@ -153,8 +158,8 @@ void add_dev_check_command(CLI::App& app, int& exit_code) {
       "  meshgrade dev-check --mutants --sample 40 --only edge_flip\n"
       "Exit code: 0 all agree, 1 something does not, 2 or 3 an error.");
   command->callback([options, &exit_code] {
-    exit_code =
-        options->mutants ? check_adequacy(options->adequacy) : dev_check(options->write);
+    exit_code = options->mutants ? check_adequacy(options->adequacy, options->page)
+                                 : dev_check(options->write);
   });
 }
 

@@ -38,8 +38,8 @@ constexpr const char* kLocalisation =
     "  of the first failing case must name one of the pointers that the line sets otherwise\n"
     "  than the right one. A line that sets one element in place of another gets two wrong.\n"
     "- **The function.** Counted are all killed mutants. The first exercise that loses points\n"
-    "  must be the one of the function with the mistake, although exercises that call it are\n"
-    "  graded, too; where an exercise has several functions, the first finding must name it.\n";
+    "  must be the one of the function with the mistake, not one that calls it;\n"
+    "  where an exercise has several functions, the first finding must name it.\n";
 
 struct Tally {
   std::size_t killed = 0;
@@ -90,10 +90,15 @@ std::size_t missed(const Adequacy& adequacy, const Choice& choice) {
 }
 
 std::string sample_text(const Adequacy& adequacy) {
-  if (adequacy.mutants.size() == adequacy.possible_mutants) return "All were graded.\n\n";
+  const std::string& only = adequacy.options.exercise;
+  const std::string of = only.empty() ? "" : " of " + only;
+  if (adequacy.mutants.size() == adequacy.possible_mutants) {
+    return "All mutants" + of + " were graded.\n\n";
+  }
   return std::to_string(adequacy.mutants.size()) + " of the " +
-         std::to_string(adequacy.possible_mutants) + " mutants were drawn with the seed " +
-         std::to_string(adequacy.options.seed) + " and graded.\n\n";
+         std::to_string(adequacy.possible_mutants) + " mutants" + of +
+         " were drawn with the seed " + std::to_string(adequacy.options.seed) +
+         " and graded.\n\n";
 }
 
 std::string exercise_table(const Adequacy& adequacy) {

@@ -23,6 +23,7 @@ Adequacy measure(const AdequacyOptions& options) {
 TEST(Adequacy, ASampleOfMutantsIsKilledOrReviewed) {
   AdequacyOptions options = nothing();
   options.mutants = 40;
+  options.exercise = "edge_flip";
   const Adequacy adequacy = measure(options);
   EXPECT_EQ(adequacy.mutants.size(), 40U);
   EXPECT_EQ(adequacy.unexplained, std::vector<std::string>());
