@@ -13,16 +13,21 @@
 namespace meshgrade {
 namespace {
 
-/// Judges the cases of one exercise in order.
+/// So many failed cases of an exercise are explained in full; the others get their verdict.
+constexpr std::size_t kMostExplained = 8;
+
+/// Judges cases in order, the first `explained` failures among them in full.
 std::vector<CaseJudgement> judge_all(const Assignment& assignment, const ExerciseRubric& rubric,
                                      const std::vector<const Case*>& cases,
                                      const std::vector<Outcome>& outcomes,
-                                     Conventions& conventions) {
+                                     Conventions& conventions, std::size_t explained) {
   const ExerciseJudge judge = find_exercise_judge(rubric);
   std::vector<CaseJudgement> judgements;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     judgements.push_back(
-        judge_case(judge, {*cases[i], outcomes[i], rubric, assignment.tolerance}, conventions));
+        judge_case(judge, {*cases[i], outcomes[i], rubric, assignment.tolerance, explained > 0},
+                   conventions));
+    if (judgements.back().verdict == Verdict::kFailed && explained > 0) --explained;
   }
   return judgements;
 }
@@ -53,7 +58,7 @@ void run_again_alone(const Assignment& assignment, const ExerciseRubric& rubric,
   if (failed.empty()) return;
   const std::vector<Outcome> outcomes =
       run_cases(build, failed, assignment.limits, Company::kAlone);
-  const auto alone = judge_all(assignment, rubric, failed, outcomes, conventions);
+  const auto alone = judge_all(assignment, rubric, failed, outcomes, conventions, 0);
   for (std::size_t i = 0; i < alone.size(); ++i) {
     if (alone[i].verdict != Verdict::kPassed) continue;
     judgements[places[i]].note =
@@ -79,7 +84,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Submission& su
   for (const Case& c : cases)
     pointers.push_back(&c);
   std::vector<CaseJudgement> judgements =
-      judge_all(assignment, rubric, pointers, outcomes, conventions);
+      judge_all(assignment, rubric, pointers, outcomes, conventions, kMostExplained);
   run_again_alone(assignment, rubric, build, cases, conventions, judgements);
   JudgedExercise judged;
   judged.rubric = &rubric;

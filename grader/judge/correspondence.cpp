@@ -9,7 +9,7 @@ namespace {
 
 /// More assignments than this are not tried: the best so far is taken. A mesh that is nearly
 /// right needs a few hundred.
-constexpr std::size_t kMostTrials = 60'000;
+constexpr std::size_t kMostTrials = 20'000;
 
 /// The elements of one kind that may stand for each other.
 struct FreeElements {

@@ -17,6 +17,9 @@ struct JudgeTask {
   const Outcome& outcome;
   const ExerciseRubric& rubric;
   double tolerance;  ///< of positions, relative to the size of the mesh
+  /// Also say pointer by pointer what is wrong, which takes time that the verdict does not
+  /// need.
+  bool explain = true;
 };
 
 /// Choices that a solution may make but must make in the same way everywhere, for example the

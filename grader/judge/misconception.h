@@ -28,6 +28,7 @@ template <class Point>
 std::vector<Misconception> recognize(const std::vector<Prediction<Point>>& predictions,
                                      const std::vector<Point>& actual, double allowed) {
   std::vector<Misconception> recognized;
+  if (actual.empty()) return recognized;  // nothing agrees with everything
   for (const Prediction<Point>& prediction : predictions) {
     if (prediction.points.size() != actual.size()) continue;
     if (worst_point(prediction.points, actual).error > allowed) continue;

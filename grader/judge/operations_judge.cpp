@@ -250,6 +250,7 @@ class StepJudge {
 
   /// Puts what is wrong pointer by pointer in front of the rules that are broken by it.
   void explain(const MeshDump& expected, Ref split_vertex) {
+    if (!task_.explain) return;
     PointerDiff diff = diff_pointers(before_, after_, expected, edge_, split_vertex);
     const bool counts_differ = diff.missing + diff.surplus > 0;
     if (counts_differ && judgement_.findings[0].rule != "counts") {
@@ -403,7 +404,10 @@ class StepJudge {
            edge_text(), "the mesh is the same as before", "the mesh was changed",
            "the check for a boundary at the start of flipEdge: either of the two half-edges "
            "may be the one outside");
-    judgement_.findings[0].pointers = diff_pointers(before_, after_, before_, edge_, kUnsetRef);
+    if (task_.explain) {
+      judgement_.findings[0].pointers =
+          diff_pointers(before_, after_, before_, edge_, kUnsetRef);
+    }
     keeps_rules(false);
   }
 

@@ -136,7 +136,9 @@ class LevelsJudge {
       judgement_.verdict = Verdict::kFailed;
     }
     if (judgement_.findings.empty()) return true;
-    if (only_simple) judgement_.findings[0].likely = recognize_connectivity(before_, mesh);
+    if (only_simple && task_.explain) {
+      judgement_.findings[0].likely = recognize_connectivity(before_, mesh);
+    }
     return false;
   }
 
@@ -209,7 +211,9 @@ class LevelsJudge {
       return true;
     }
     report_other_surface(level, old_to_mine, mesh);
-    judgement_.findings.back().likely = recognize_connectivity(before_, mesh);
+    if (task_.explain) {
+      judgement_.findings.back().likely = recognize_connectivity(before_, mesh);
+    }
     return false;
   }
 
@@ -273,7 +277,9 @@ class LevelsJudge {
       return true;
     }
     report_position(level, actual, size, best, best_name);
-    judgement_.findings.back().likely = likely_positions(level, actual, size);
+    if (task_.explain) {
+      judgement_.findings.back().likely = likely_positions(level, actual, size);
+    }
     return false;
   }
 
