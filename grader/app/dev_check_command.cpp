@@ -118,39 +118,44 @@ int dev_check(bool write) {
   return complaints.count() == 0 ? 0 : 1;
 }
 
+struct Options {
+  bool write = false;
+  bool mutants = false;
+  AdequacyOptions adequacy;
+  std::string page;
+};
+
+void add_mutant_options(CLI::App* command, Options& options) {
+  CLI::Option* mutants = command->add_flag(
+      "--mutants", options.mutants,
+      "Prove instead that the grader finds mistakes, and write docs/adequacy.md");
+  command->add_option("--sample", options.adequacy.mutants, "Only so many mutants, drawn")
+      ->needs(mutants);
+  command
+      ->add_option("--variants", options.adequacy.variants,
+                   "How many right variants are drawn (240)")
+      ->needs(mutants);
+  command->add_option("--seed", options.adequacy.seed, "What all that is drawn depends on")
+      ->needs(mutants);
+  command->add_option("--only", options.adequacy.exercise, "Only mutants of this exercise")
+      ->needs(mutants);
+  command
+      ->add_option("--page", options.page,
+                   "Write the page to this file, however few are graded")
+      ->needs(mutants);
+  command->add_option("-j,--jobs", options.adequacy.jobs, "How many are graded at a time (2)")
+      ->needs(mutants);
+}
+
 }  // namespace
 
 void add_dev_check_command(CLI::App& app, int& exit_code) {
-  struct Options {
-    bool write = false;
-    bool mutants = false;
-    AdequacyOptions adequacy;
-    std::string page;
-  };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "dev-check", "Prove that reference, skeleton and exercises agree (for maintainers)");
   command->add_flag("--write", options->write,
                     "First write the skeleton's files anew from the reference");
-  CLI::Option* mutants = command->add_flag(
-      "--mutants", options->mutants,
-      "Prove instead that the grader finds mistakes, and write docs/adequacy.md");
-  command->add_option("--sample", options->adequacy.mutants, "Only so many mutants, drawn")
-      ->needs(mutants);
-  command
-      ->add_option("--variants", options->adequacy.variants,
-                   "How many right variants are drawn (240)")
-      ->needs(mutants);
-  command->add_option("--seed", options->adequacy.seed, "What all that is drawn depends on")
-      ->needs(mutants);
-  command->add_option("--only", options->adequacy.exercise, "Only mutants of this exercise")
-      ->needs(mutants);
-  command
-      ->add_option("--page", options->page,
-                   "Write the page to this file, however few are graded")
-      ->needs(mutants);
-  command->add_option("-j,--jobs", options->adequacy.jobs, "How many are graded at a time (2)")
-      ->needs(mutants);
+  add_mutant_options(command, *options);
   command->footer(
       "Examples:\n"
       "  meshgrade dev-check\n"

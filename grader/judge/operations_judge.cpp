@@ -42,7 +42,7 @@ Ref find_edge(const MeshDump& mesh, Ref a, Ref b) {
 MeshDump first_mesh(const OperationsInput& input) {
   meshedit::HalfedgeMesh mesh;
   build_mesh(input.mesh, mesh);
-  const MeshDump built = dump_mesh(mesh);
+  MeshDump built = dump_mesh(mesh);
   if (input.anchoring == Anchoring::kAsBuilt) return built;
   const Operation& first = input.operations.at(0);
   const Ref e = find_edge(built, live_vertex(built, first.a), live_vertex(built, first.b));

@@ -138,7 +138,7 @@ class Differ {
   /// Lies in one of the faces of the diamond, or took part in the operation.
   bool is_near(Ref h) const {
     if (h >= before_.halfedges.size()) return true;
-    return !halfedge_role(h).empty() && face_role(expected_.halfedges[h].face) != "";
+    return !halfedge_role(h).empty() && !face_role(expected_.halfedges[h].face).empty();
   }
 
   /// "a b m" for a triangle between named corners.

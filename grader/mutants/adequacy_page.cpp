@@ -171,7 +171,7 @@ std::string misses(const Adequacy& adequacy) {
     } else if (!result.wrong_pointers.empty() && !result.names_pointer()) {
       const std::string named =
           result.element.empty() ? "no pointer" : "`" + result.element + "`";
-      text += mutant + "the first finding names " + named + "\n";
+      text.append(mutant).append("the first finding names ").append(named).append("\n");
     }
   }
   return text.empty() ? text : "\nWhere it does not:\n\n" + text;

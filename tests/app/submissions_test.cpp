@@ -29,8 +29,8 @@ struct Folder {
   fs::path path;
 };
 
-void PrintTo(const Folder& folder,
-             std::ostream* out) {  // NOLINT(readability-identifier-naming)
+// NOLINTNEXTLINE(readability-identifier-naming): the name that GoogleTest looks for
+void PrintTo(const Folder& folder, std::ostream* out) {
   *out << folder.path.lexically_relative(kSubmissions).string();
 }
 

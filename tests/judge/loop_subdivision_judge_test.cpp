@@ -8,7 +8,6 @@ namespace meshgrade {
 namespace {
 
 const char* const kLoop = "Loop's weights";
-const char* const kWarren = "Warren's weights";
 
 /// Judges cases one after the other, as one solution.
 class LoopJudge {
