@@ -84,7 +84,7 @@ TEST_F(WatchCommand, TellsOfAWrongFolderOrExerciseAtOnce) {
 TEST_F(WatchCommand, ChecksAndEndsWithZeroOnCtrlC) {
   Command command;
   command.arguments = {"timeout",     "--preserve-status", "-s",    "INT",
-                       "4",           MESHGRADE_PROGRAM,   "watch", reference(),
+                       "12",          MESHGRADE_PROGRAM,   "watch", reference(),
                        "bezier_curve"};
   const ProcessResult result = run_process(command);
   EXPECT_EQ(result.status, 0) << result.output;
