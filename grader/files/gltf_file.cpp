@@ -95,9 +95,12 @@ tinygltf::Model parse_model(const Path& file, const std::string& bytes) {
   tinygltf::TinyGLTF loader;
   Path path = file;
   loader.SetImageLoader(skip_image, nullptr);
-  loader.SetFsCallbacks({tinygltf::FileExists,
-                         [](const std::string& name, void*) { return name; }, read_neighbour,
-                         nullptr, &path});
+  tinygltf::FsCallbacks callbacks{};  // by name: later versions have more of them
+  callbacks.FileExists = tinygltf::FileExists;
+  callbacks.ExpandFilePath = [](const std::string& name, void*) { return name; };
+  callbacks.ReadWholeFile = read_neighbour;
+  callbacks.user_data = &path;
+  loader.SetFsCallbacks(callbacks);
   tinygltf::Model model;
   std::string error;
   std::string warning;
