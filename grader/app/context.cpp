@@ -13,7 +13,13 @@ std::filesystem::path source_folder() {
 
 Home find_home() {
   const std::filesystem::path source = source_folder();
-  return {source / "include", MESHGRADE_KIT_DIR, source / "meshes", source / "docs",
+  std::error_code ignored;
+  const std::filesystem::path reference = source / "reference";
+  return {source / "include",
+          MESHGRADE_KIT_DIR,
+          source / "meshes",
+          source / "docs",
+          std::filesystem::is_directory(reference, ignored) ? reference : "",
           MESHGRADE_COMPILER};
 }
 

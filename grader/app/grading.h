@@ -30,7 +30,17 @@ Report grade(const Assignment& assignment, const Submission& submission, const H
 /// Runs and judges a single case, in a process of its own.
 /// @return a report of one exercise with this one case; its points mean nothing
 /// @throws GraderError if the grader itself fails
-Report grade_case(const Assignment& assignment, const Submission& submission,
+Report grade_case(const Assignment& assignment, const Submission& submission, const Home& home,
                   const Build& build, const Case& asked);
+
+/// The same with all that grade() does for a case that fails: a second run with a right
+/// solution of the exercises that it needs.
+Report grade_case_fully(const Assignment& assignment, const Submission& submission,
+                        const Home& home, const Build& build, const Case& asked);
+
+/// The case as the report shows it: smaller, if it fails and a smaller one does so as well.
+/// @throws GraderError if the grader itself fails
+Case shown_case(const Assignment& assignment, const Submission& submission, const Home& home,
+                const Build& build, const Case& asked);
 
 }  // namespace meshgrade

@@ -65,8 +65,9 @@ Build build(const Replay& replay, BuildKind kind) {
 
 int replay_plainly(const Replay& replay, const ReplayOptions& options) {
   const Build built = build(replay, BuildKind::kGrading);
-  return print_case(grade_case(replay.assignment, replay.submission, built, replay.asked),
-                    options);
+  return print_case(
+      grade_case_fully(replay.assignment, replay.submission, find_home(), built, replay.asked),
+      options);
 }
 
 int replay_sanitized(Replay replay, const ReplayOptions& options) {
@@ -77,7 +78,8 @@ int replay_sanitized(Replay replay, const ReplayOptions& options) {
   limits.compile_seconds *= kSanitizersSlowDown;
   const Build built = build(replay, BuildKind::kSanitized);
   set_up_sanitizers(built);
-  Report report = grade_case(replay.assignment, replay.submission, built, replay.asked);
+  Report report =
+      grade_case(replay.assignment, replay.submission, find_home(), built, replay.asked);
   const std::string log = read_sanitizer_log(built);
   CaseReport& judged = report.exercises.at(0).cases.at(0);
   if (!log.empty()) judged = with_sanitizer_finding(std::move(judged), log);
@@ -91,6 +93,8 @@ int replay_in_debugger(Replay replay) {
   require_debugger();
   const ExerciseRubric* rubric = replay.assignment.find(replay.asked.exercise);
   const ExerciseJudge judge = find_exercise_judge(*rubric);
+  replay.asked = shown_case(replay.assignment, replay.submission, find_home(),
+                            build(replay, BuildKind::kGrading), replay.asked);
   const Build built = build(replay, BuildKind::kDebug);
   for (const BuiltFile& file : built.files) {
     if (!file.ok) std::cerr << file.name << " does not compile:\n" << file.messages << "\n";

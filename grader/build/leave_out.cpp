@@ -124,13 +124,26 @@ bool LeavingOut::learn_from(const std::string& messages) {
   return !blamed.empty();
 }
 
-void LeavingOut::remove_members(const std::string& class_name) {
+template <class Chosen>
+void LeavingOut::remove(Chosen chosen) {
   std::vector<FunctionExtent> functions = find_functions(text_);
-  std::reverse(functions.begin(), functions.end());
+  std::reverse(functions.begin(), functions.end());  // so that offsets before stay right
   for (const FunctionExtent& function : functions) {
-    if (function.name.rfind(class_name + "::", 0) != 0) continue;
-    replace_part(text_, function.begin, function.end, "");
+    if (chosen(function.name)) replace_part(text_, function.begin, function.end, "");
   }
+}
+
+void LeavingOut::remove_members(const std::string& class_name) {
+  remove([&](const std::string& name) { return name.rfind(class_name + "::", 0) == 0; });
+}
+
+void LeavingOut::remove_function(const std::string& name) {
+  const std::string qualified = "::" + name;  // behind a namespace
+  remove([&](const std::string& written) {
+    return written == name || (written.size() > qualified.size() &&
+                               written.compare(written.size() - qualified.size(),
+                                               std::string::npos, qualified) == 0);
+  });
 }
 
 }  // namespace meshgrade

@@ -34,7 +34,13 @@ class LeavingOut {
   /// Takes out all members of a class.
   void remove_members(const std::string& class_name);
 
+  /// Takes out the definitions of a function: "HalfedgeMesh::flipEdge".
+  void remove_function(const std::string& name);
+
  private:
+  template <class Chosen>
+  void remove(Chosen chosen);
+
   std::string file_;
   std::string text_;
   std::vector<LeftOut> left_out_;

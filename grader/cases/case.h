@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace meshgrade {
 
@@ -17,5 +18,12 @@ struct Case {
   /// "edge_split:boundary/7"
   std::string id() const { return exercise + ":" + group + "/" + std::to_string(number); }
 };
+
+inline std::vector<const Case*> pointers_to(const std::vector<Case>& cases) {
+  std::vector<const Case*> pointers;
+  for (const Case& c : cases)
+    pointers.push_back(&c);
+  return pointers;
+}
 
 }  // namespace meshgrade

@@ -10,21 +10,36 @@
 
 namespace meshgrade {
 
-#define MESHGRADE_EXERCISE(name) void make_##name##_cases(CaseMaker& maker);
+#define MESHGRADE_EXERCISE(name)              \
+  void make_##name##_cases(CaseMaker& maker); \
+  void shrink_##name##_case(CaseMaker& maker, const Case& failed);
 #include "exercise_list.inc"
 #undef MESHGRADE_EXERCISE
 
 namespace {
 
-using MakeCases = void (*)(CaseMaker&);
+struct Makers {
+  void (*cases)(CaseMaker&);
+  void (*smaller)(CaseMaker&, const Case& failed);
+};
 
-const std::map<std::string, MakeCases>& makers() {
-  static const std::map<std::string, MakeCases> table{
-#define MESHGRADE_EXERCISE(name) {#name, make_##name##_cases},
+const std::map<std::string, Makers>& all_makers() {
+  static const std::map<std::string, Makers> table{
+#define MESHGRADE_EXERCISE(name) {#name, {make_##name##_cases, shrink_##name##_case}},
 #include "exercise_list.inc"
 #undef MESHGRADE_EXERCISE
   };
   return table;
+}
+
+/// @throws UserError if there is no such exercise
+const Makers& makers_of(const ExerciseRubric& rubric) {
+  const auto found = all_makers().find(rubric.name);
+  if (found == all_makers().end()) {
+    throw UserError("the assignment names the exercise \"" + rubric.name +
+                    "\", which does not exist");
+  }
+  return found->second;
 }
 
 }  // namespace
@@ -53,13 +68,8 @@ void CaseMaker::add_packed(const std::string& group, const std::string& title,
 
 std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric& rubric,
                              const std::filesystem::path& meshes) {
-  const auto maker = makers().find(rubric.name);
-  if (maker == makers().end()) {
-    throw UserError("the assignment names the exercise \"" + rubric.name +
-                    "\", which does not exist");
-  }
   CaseMaker cases(assignment, rubric, meshes);
-  maker->second(cases);
+  makers_of(rubric).cases(cases);
   std::vector<Case> made = cases.take();
   for (const Group& group : rubric.groups) {
     const auto in_group = [&](const Case& c) { return c.group == group.name; };
@@ -69,6 +79,16 @@ std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric&
     }
   }
   return made;
+}
+
+std::vector<Case> make_smaller_cases(const Assignment& assignment, const ExerciseRubric& rubric,
+                                     const std::filesystem::path& meshes, const Case& failed) {
+  CaseMaker cases(assignment, rubric, meshes);
+  makers_of(rubric).smaller(cases, failed);
+  std::vector<Case> smaller = cases.take();
+  for (Case& c : smaller)
+    c.number = failed.number;
+  return smaller;
 }
 
 Case find_case(const Assignment& assignment, const std::filesystem::path& meshes,

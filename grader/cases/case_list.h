@@ -58,6 +58,12 @@ class CaseMaker {
 std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric& rubric,
                              const std::filesystem::path& meshes);
 
+/// Smaller questions of the same kind as a case that failed, those to prefer first; none when
+/// it is small already. All have its group and number.
+/// @throws UserError as make_cases does
+std::vector<Case> make_smaller_cases(const Assignment& assignment, const ExerciseRubric& rubric,
+                                     const std::filesystem::path& meshes, const Case& failed);
+
 /// A case by its id, "edge_split:boundary/7".
 /// @throws UserError if there is none
 Case find_case(const Assignment& assignment, const std::filesystem::path& meshes,

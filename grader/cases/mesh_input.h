@@ -28,13 +28,14 @@ enum class Anchoring : std::uint32_t {
 };
 
 struct OperationsInput {
+  std::string mesh_name;  ///< for titles: "octahedron.off"
   PolygonMesh mesh;
   Anchoring anchoring = Anchoring::kAsBuilt;
   std::vector<Operation> operations;
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(mesh, anchoring, operations);
+    wire(mesh_name, mesh, anchoring, operations);
   }
 };
 
@@ -52,12 +53,13 @@ struct OperationStep {
 
 /// Loop subdivision: the worker sends a MeshDump after each level.
 struct SubdivisionInput {
+  std::string mesh_name;  ///< for titles
   PolygonMesh mesh;
   std::uint32_t levels = 1;
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(mesh, levels);
+    wire(mesh_name, mesh, levels);
   }
 };
 

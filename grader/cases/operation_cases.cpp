@@ -5,10 +5,6 @@
 namespace meshgrade {
 namespace {
 
-const char* verb(OperationKind kind) {
-  return kind == OperationKind::kFlip ? "flip" : "split";
-}
-
 std::string sequence_text(std::uint32_t length, std::uint32_t flips_of_ten) {
   const std::string count = std::to_string(length);
   if (flips_of_ten == 10) return count + " random flips of ";
@@ -18,15 +14,19 @@ std::string sequence_text(std::uint32_t length, std::uint32_t flips_of_ten) {
 
 }  // namespace
 
+const char* verb(OperationKind kind) {
+  return kind == OperationKind::kFlip ? "flip" : "split";
+}
+
 std::string edge_text(VertexPair edge) {
   return "v" + std::to_string(edge.first) + "-v" + std::to_string(edge.second);
 }
 
 void add_operations(CaseMaker& maker, const std::string& group, const std::string& title,
-                    const PolygonMesh& mesh, const std::vector<Operation>& operations,
-                    Anchoring anchoring) {
-  const std::uint64_t budget = operations.size() * (2000 + 100 * mesh.polygons.size());
-  maker.add(group, title, budget, OperationsInput{mesh, anchoring, operations});
+                    const OperationsInput& input) {
+  const std::uint64_t budget =
+      input.operations.size() * (2000 + 100 * input.mesh.polygons.size());
+  maker.add(group, title, budget, input);
 }
 
 void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,
@@ -39,10 +39,10 @@ void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind ki
     const char* place = choice == EdgeChoice::kBoundary ? "boundary edge " : "edge ";
     const std::string title =
         std::string(verb(kind)) + " the " + place + edge_text(edge) + " of " + file;
-    add_operations(maker, group, title, mesh, operations);
+    add_operations(maker, group, title, {file, mesh, Anchoring::kAsBuilt, operations});
     if (choice == EdgeChoice::kBoundary) continue;
-    add_operations(maker, group, title + ", which its ends and faces anchor", mesh, operations,
-                   Anchoring::kOnEdge);
+    add_operations(maker, group, title + ", which its ends and faces anchor",
+                   {file, mesh, Anchoring::kOnEdge, operations});
   }
 }
 
@@ -64,7 +64,8 @@ void add_sequence(CaseMaker& maker, const std::string& group, const std::string&
       triangles.split(edge);
     }
   }
-  add_operations(maker, group, sequence_text(length, flips_of_ten) + file, mesh, operations);
+  add_operations(maker, group, sequence_text(length, flips_of_ten) + file,
+                 {file, mesh, Anchoring::kAsBuilt, operations});
 }
 
 }  // namespace meshgrade

@@ -12,10 +12,12 @@ namespace meshgrade {
 /// "v0-v4"
 std::string edge_text(VertexPair edge);
 
+/// "flip", "split"
+const char* verb(OperationKind kind);
+
 /// Adds a case of these operations, with a step budget in proportion to the mesh.
 void add_operations(CaseMaker& maker, const std::string& group, const std::string& title,
-                    const PolygonMesh& mesh, const std::vector<Operation>& operations,
-                    Anchoring anchoring = Anchoring::kAsBuilt);
+                    const OperationsInput& input);
 
 enum class EdgeChoice { kInner, kBoundary };
 

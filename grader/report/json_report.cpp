@@ -69,6 +69,7 @@ Json to_value(const CaseReport& report) {
              {"note", report.note},
              {"output", report.output},
              {"output_bytes", report.output_bytes}};
+  if (!report.shrunk_from.empty()) value["shrunk_from"] = report.shrunk_from;
   value["findings"] = Json::array();
   for (const FindingReport& finding : report.findings) {
     value["findings"].push_back(to_value(finding));
@@ -95,7 +96,8 @@ Json to_value(const ExerciseReport& report) {
              {"max_points", report.max_points},
              {"extra_points", report.extra_points},
              {"max_extra_points", report.max_extra_points},
-             {"notes", report.notes}};
+             {"notes", report.notes},
+             {"stand_ins", report.stand_ins}};
   value["groups"] = Json::array();
   for (const GroupReport& group : report.groups)
     value["groups"].push_back(to_value(group));

@@ -55,6 +55,7 @@ CaseReport to_case_report(const JudgedCase& judged, const SourceLines& sources) 
   report.id = judged.asked.id();
   report.group = judged.asked.group;
   report.title = judged.asked.title;
+  report.shrunk_from = judged.shrunk_from;
   report.verdict = judged.judgement.verdict;
   report.note = judged.judgement.note;
   report.excused = judged.judgement.excused;
@@ -110,6 +111,7 @@ ExerciseReport to_exercise_report(const JudgedExercise& judged, const SourceLine
   report.name = judged.rubric->name;
   report.title = judged.rubric->title;
   report.notes = judged.notes;
+  report.stand_ins = judged.stand_ins;
   for (const JudgedCase& c : judged.cases)
     report.cases.push_back(to_case_report(c, sources));
   for (const Group& group : judged.rubric->groups) {

@@ -29,6 +29,7 @@ struct CaseReport {
   std::string id;
   std::string group;
   std::string title;
+  std::string shrunk_from;  ///< what the case was before it was made smaller; mostly empty
   Verdict verdict = Verdict::kPassed;
   std::vector<FindingReport> findings;
   std::string note;
@@ -59,6 +60,8 @@ struct ExerciseReport {
   std::vector<GroupReport> groups;
   std::vector<CaseReport> cases;
   std::vector<std::string> notes;  ///< "uses Warren's weights", "edge_split fails: see there"
+  /// Exercises whose right solution stood in for the student's in the cases that count.
+  std::vector<std::string> stand_ins;
 };
 
 struct FileReport {
@@ -89,11 +92,13 @@ struct JudgedCase {
   CaseJudgement judgement;
   std::string output;
   std::uint64_t output_bytes = 0;
+  std::string shrunk_from;  ///< as in CaseReport
 };
 struct JudgedExercise {
   const ExerciseRubric* rubric = nullptr;
   std::vector<JudgedCase> cases;
   std::vector<std::string> notes;
+  std::vector<std::string> stand_ins;  ///< as in ExerciseReport
 };
 
 /// Adds up the points and collects what there is to say.

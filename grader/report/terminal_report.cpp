@@ -100,7 +100,7 @@ class TerminalReport {
   void add_exercise(const ExerciseReport& exercise) {
     const bool lost =
         exercise.points < exercise.max_points || exercise.verdict != Verdict::kPassed;
-    if (!lost && !style_.verbose) return;
+    if (!lost && exercise.stand_ins.empty() && !style_.verbose) return;
     out_ += "\n" + paint("1", exercise.name) + ": " + paint_verdict(exercise.verdict, 0) +
             ", " + number_text(exercise.points) + " of " + number_text(exercise.max_points) +
             " points\n";
@@ -144,6 +144,7 @@ class TerminalReport {
   void add_case(const CaseReport& c) {
     out_ +=
         "  " + paint("36", c.id) + ": " + c.title + ": " + paint_verdict(c.verdict, 0) + "\n";
+    if (!c.shrunk_from.empty()) add_field("", "the smallest that fails like: " + c.shrunk_from);
     const std::size_t shown = style_.verbose ? c.findings.size() : 1;
     for (std::size_t i = 0; i < std::min(shown, c.findings.size()); ++i) {
       add_finding(c.findings[i]);

@@ -99,10 +99,12 @@ std::string short_name(std::string function) {
   return function.substr(0, function.find('('));
 }
 
-/// A frame in a file of the student's, whose names the compiler was given without a folder.
-/// Some of the shared headers' code is told as if it stood in the file that includes it.
+/// A frame in a file of the student's, whose names the compiler was given without a folder; "~"
+/// begins those of stand-ins. Some of the shared headers' code is told as if it stood in the
+/// file that includes it.
 bool is_students(const StackFrame& frame) {
-  return frame.file.rfind("./", 0) == 0 && frame.function.rfind("meshedit::detail::", 0) != 0 &&
+  return frame.file.rfind("./", 0) == 0 && frame.file.rfind("./~", 0) != 0 &&
+         frame.function.rfind("meshedit::detail::", 0) != 0 &&
          frame.function.rfind("meshedit::Handle<", 0) != 0;
 }
 

@@ -19,12 +19,13 @@ CaseJudgement judge(const Case& c, const std::vector<OperationStep>& steps) {
 
 Case operation_case(const std::string& exercise, const std::string& group,
                     const std::string& file, Operation operation) {
-  return {exercise,
-          group,
-          1,
-          "",
-          to_wire(OperationsInput{sample_polygons(file), Anchoring::kAsBuilt, {operation}}),
-          1000};
+  return {
+      exercise,
+      group,
+      1,
+      "",
+      to_wire(OperationsInput{file, sample_polygons(file), Anchoring::kAsBuilt, {operation}}),
+      1000};
 }
 
 OperationStep right_step(const Case& c) {

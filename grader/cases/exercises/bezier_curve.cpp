@@ -49,4 +49,14 @@ void make_bezier_curve_cases(CaseMaker& maker) {
   }
 }
 
+void shrink_bezier_curve_case(CaseMaker& maker, const Case& failed) {
+  const auto input = from_wire<CurveInput>(failed.input);
+  if (input.steps != 1) return;
+  for (std::size_t count = 2; count < input.points.size(); ++count) {
+    const auto end = input.points.begin() + static_cast<std::ptrdiff_t>(count);
+    add_step(maker, failed.group, {input.points.begin(), end}, input.t);
+  }
+  if (input.t != 0.5) add_step(maker, failed.group, input.points, 0.5);
+}
+
 }  // namespace meshgrade

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
 #include "grader/cases/case_list.h"
@@ -32,6 +34,14 @@ Net to_net(const ControlNet& control) {
       net[r].push_back(control.at(r, c));
   }
   return net;
+}
+
+/// The first rows and columns of a net.
+Net corner_of(const Net& net, std::size_t rows, std::size_t columns) {
+  Net corner(net.begin(), net.begin() + static_cast<std::ptrdiff_t>(rows));
+  for (std::vector<Point3>& row : corner)
+    row.resize(columns);
+  return corner;
 }
 
 void add_step_and_line(CaseMaker& maker, std::size_t count, double t, Random& random) {
@@ -78,6 +88,22 @@ void make_bezier_patch_cases(CaseMaker& maker) {
   for (const ControlNet& patch : maker.patches("teapot.bez")) {
     add_surface(maker, "stress", "patch " + std::to_string(++number) + " of the teapot",
                 to_net(patch), {{random.unit(), random.unit()}, {0.5, 0.25}});
+  }
+}
+
+void shrink_bezier_patch_case(CaseMaker& maker, const Case& failed) {
+  const auto input = from_wire<PatchInput>(failed.input);
+  if (input.function != PatchFunction::kSurface) return;
+  const std::size_t rows = input.net.size();
+  const std::size_t columns = input.net[0].size();
+  for (std::size_t r = std::min<std::size_t>(rows, 2); r <= rows; ++r) {
+    for (std::size_t c = std::min<std::size_t>(columns, 2); c <= columns; ++c) {
+      for (const auto& place : input.parameters) {
+        if (r == rows && c == columns && input.parameters.size() == 1) continue;
+        add_surface(maker, failed.group, "a corner of that net", corner_of(input.net, r, c),
+                    {place});
+      }
+    }
   }
 }
 

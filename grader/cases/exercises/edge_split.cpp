@@ -1,4 +1,5 @@
 #include "grader/cases/operation_cases.h"
+#include "grader/cases/smaller_operations.h"
 
 namespace meshgrade {
 
@@ -21,6 +22,10 @@ void make_edge_split_cases(CaseMaker& maker) {
   for (const char* file : {"octahedron.off", "icosahedron.obj", "torus.ply"}) {
     add_sequence(maker, "stress", file, 12, 5, random);
   }
+}
+
+void shrink_edge_split_case(CaseMaker& maker, const Case& failed) {
+  if (failed.group == "stress") add_smaller_operations(maker, failed);
 }
 
 }  // namespace meshgrade

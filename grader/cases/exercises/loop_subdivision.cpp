@@ -1,6 +1,7 @@
 #include "grader/base/text.h"
 #include "grader/cases/case_list.h"
 #include "grader/cases/mesh_input.h"
+#include "grader/cases/mesh_ladder.h"
 #include "grader/cases/mesh_shapes.h"
 #include "grader/mesh/torus_mesh.h"
 
@@ -15,7 +16,7 @@ void add(CaseMaker& maker, const std::string& group, const std::string& what,
          const PolygonMesh& mesh, std::uint32_t levels) {
   const std::uint64_t triangles = mesh.polygons.size() << (2U * levels);
   maker.add(group, plural(levels, "level") + " on " + what,
-            10'000 + kStepsPerTriangle * triangles, SubdivisionInput{mesh, levels});
+            10'000 + kStepsPerTriangle * triangles, SubdivisionInput{what, mesh, levels});
 }
 
 }  // namespace
@@ -41,6 +42,14 @@ void make_loop_subdivision_cases(CaseMaker& maker) {
   add(maker, "stress", "double_torus.obj", maker.mesh("double_torus.obj"), 1);
   add(maker, "stress", "sliver.obj", maker.mesh("sliver.obj"), 1);
   add(maker, "stress", "a torus of 20,000 triangles", in_build_order(torus_mesh(100, 100)), 1);
+}
+
+void shrink_loop_subdivision_case(CaseMaker& maker, const Case& failed) {
+  const auto input = from_wire<SubdivisionInput>(failed.input);
+  for (std::uint32_t levels = 1; levels < input.levels; ++levels)
+    add(maker, failed.group, input.mesh_name, input.mesh, levels);
+  for (const Rung& rung : smaller_meshes_alike(maker, input.mesh))
+    add(maker, failed.group, rung.file, rung.mesh, input.levels);
 }
 
 }  // namespace meshgrade

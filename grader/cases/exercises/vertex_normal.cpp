@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 
 #include "grader/cases/case_list.h"
 #include "grader/cases/mesh_input.h"
+#include "grader/cases/mesh_ladder.h"
 #include "grader/cases/mesh_shapes.h"
 
 namespace meshgrade {
@@ -35,6 +37,16 @@ PolygonMesh scaled(const PolygonMesh& mesh, double factor) {
   });
 }
 
+/// The largest coordinate.
+double reach(const PolygonMesh& mesh) {
+  double most = 0.0;
+  for (const Point3& p : mesh.positions) {
+    for (double coordinate : p)
+      most = std::max(most, std::abs(coordinate));
+  }
+  return most;
+}
+
 }  // namespace
 
 void make_vertex_normal_cases(CaseMaker& maker) {
@@ -59,6 +71,18 @@ void make_vertex_normal_cases(CaseMaker& maker) {
   add(maker, "stress", "a shaken icosahedron, 50 times larger", scaled(shaken, 50.0));
   add(maker, "stress", "a shaken icosahedron, 50 times smaller", scaled(shaken, 0.02));
   add(maker, "stress", "a shaken icosahedron, turned", turned(shaken));
+}
+
+void shrink_vertex_normal_case(CaseMaker& maker, const Case& failed) {
+  const PolygonMesh mesh = from_wire<NormalInput>(failed.input).mesh;
+  Random random = maker.random("smaller");
+  for (const Rung& rung : smaller_meshes_alike(maker, mesh)) {
+    add(maker, failed.group, rung.file, rung.mesh);
+    const double factor = reach(mesh) / reach(rung.mesh);
+    add(maker, failed.group,
+        rung.file + ", stretched, shaken, and made as large as the mesh that failed",
+        scaled(jittered(rung.mesh, 0.2, random), factor));
+  }
 }
 
 }  // namespace meshgrade

@@ -1,0 +1,140 @@
+#include "grader/app/exercise_run.h"
+
+#include <algorithm>
+
+#include "grader/app/compile_blame.h"
+#include "grader/app/shrinking.h"
+#include "grader/cases/case_list.h"
+#include "grader/judge/judge.h"
+#include "grader/run/run.h"
+
+namespace meshgrade {
+namespace {
+
+/// So many failed cases of an exercise are explained in full; the others get their verdict.
+constexpr std::size_t kMostExplained = 8;
+
+/// So many failed cases of an exercise are made smaller.
+constexpr std::size_t kMostShrunk = 3;
+
+/// Judges cases in order, the first `explained` failures among them in full.
+std::vector<CaseJudgement> judge_all(const Assignment& assignment, const ExerciseRubric& rubric,
+                                     const std::vector<const Case*>& cases,
+                                     const std::vector<Outcome>& outcomes,
+                                     Conventions& conventions, std::size_t explained) {
+  const ExerciseJudge judge = find_exercise_judge(rubric);
+  std::vector<CaseJudgement> judgements;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    judgements.push_back(
+        judge_case(judge, {*cases[i], outcomes[i], rubric, assignment.tolerance, explained > 0},
+                   conventions));
+    if (judgements.back().verdict == Verdict::kFailed && explained > 0) --explained;
+  }
+  return judgements;
+}
+
+bool deserves_second_run(const CaseJudgement& judgement) {
+  switch (judgement.verdict) {
+    case Verdict::kFailed:
+    case Verdict::kCrashed:
+    case Verdict::kOutOfSteps:
+    case Verdict::kOutOfMemory:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Runs failed cases once more, each in a process of its own, and says so where that helps.
+void run_again_alone(const Assignment& assignment, const ExerciseRubric& rubric,
+                     const Build& build, const std::vector<Case>& cases,
+                     Conventions conventions, std::vector<CaseJudgement>& judgements) {
+  std::vector<const Case*> failed;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!deserves_second_run(judgements[i])) continue;
+    failed.push_back(&cases[i]);
+    places.push_back(i);
+  }
+  if (failed.empty()) return;
+  const std::vector<Outcome> outcomes =
+      run_cases(build, failed, assignment.limits, Company::kAlone);
+  const auto alone = judge_all(assignment, rubric, failed, outcomes, conventions, 0);
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    if (alone[i].verdict != Verdict::kPassed) continue;
+    judgements[places[i]].note =
+        "this case passes when it is run alone: the code keeps something from one call to the "
+        "next, in a global or static variable?";
+  }
+}
+
+bool can_be_smaller(const JudgedCase& judged) {
+  const Verdict verdict = judged.judgement.verdict;
+  return (verdict == Verdict::kFailed || verdict == Verdict::kCrashed ||
+          verdict == Verdict::kOutOfSteps) &&
+         judged.judgement.note.empty() && !judged.judgement.excused;
+}
+
+/// Only the first failures: the others most likely have the same reason.
+void make_failures_smaller(const Assignment& assignment, const Home& home,
+                           const Candidate& candidate, JudgedExercise& exercise) {
+  std::size_t left = kMostShrunk;
+  for (JudgedCase& judged : exercise.cases) {
+    if (left == 0) return;
+    if (!can_be_smaller(judged)) continue;
+    auto smaller = shrink(assignment, home, candidate, *exercise.rubric, judged);
+    if (!smaller) continue;
+    judged = std::move(*smaller);
+    --left;
+  }
+}
+
+}  // namespace
+
+bool has_failure(const JudgedExercise& exercise) {
+  return std::any_of(exercise.cases.begin(), exercise.cases.end(), [](const JudgedCase& c) {
+    return c.judgement.verdict != Verdict::kPassed &&
+           c.judgement.verdict != Verdict::kNotImplemented;
+  });
+}
+
+bool is_all_right(const JudgedExercise& exercise) {
+  return std::all_of(exercise.cases.begin(), exercise.cases.end(), [](const JudgedCase& c) {
+    return c.judgement.verdict == Verdict::kPassed || c.judgement.excused;
+  });
+}
+
+JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
+                              const Candidate& candidate, const ExerciseRubric& rubric,
+                              const std::vector<Case>& cases,
+                              const std::vector<Outcome>& outcomes) {
+  const ExerciseJudge judge = find_exercise_judge(rubric);
+  Conventions conventions = judge.conventions;
+  std::vector<CaseJudgement> judgements =
+      judge_all(assignment, rubric, pointers_to(cases), outcomes, conventions, kMostExplained);
+  run_again_alone(assignment, rubric, candidate.build, cases, conventions, judgements);
+  JudgedExercise judged;
+  judged.rubric = &rubric;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    blame_compilation(assignment, candidate.submission, candidate.build, judge, judgements[i]);
+    judged.cases.push_back(
+        {cases[i], std::move(judgements[i]), outcomes[i].output, outcomes[i].output_bytes, ""});
+  }
+  make_failures_smaller(assignment, home, candidate, judged);
+  if (conventions.size() == 1 && !has_failure(judged)) {
+    judged.notes.push_back("found: " + *conventions.begin());
+  }
+  return judged;
+}
+
+ExerciseRun run_exercise(const Assignment& assignment, const Home& home,
+                         const Candidate& candidate, const ExerciseRubric& rubric) {
+  ExerciseRun run;
+  run.cases = make_cases(assignment, rubric, home.meshes);
+  run.outcomes =
+      run_cases(candidate.build, pointers_to(run.cases), assignment.limits, Company::kTogether);
+  run.judged = judge_exercise(assignment, home, candidate, rubric, run.cases, run.outcomes);
+  return run;
+}
+
+}  // namespace meshgrade

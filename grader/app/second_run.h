@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "grader/app/exercise_run.h"
+
+namespace meshgrade {
+
+/// Loop subdivision calls the student's own flip and split. When these fail, says so, and runs
+/// it once more with the reference's in their place, so that each exercise is judged on its
+/// own: a case counts as passed if it passes in either run, and otherwise the second run tells
+/// what is wrong. Without the reference only says so.
+///
+/// `run` is of an exercise that has not all cases passed; `needed` are the exercises that it
+/// needs, judged.
+/// @throws GraderError if the grader itself fails
+void run_with_stand_ins(const Assignment& assignment, const Home& home,
+                        const Submission& submission, const std::vector<JudgedExercise>& needed,
+                        ExerciseRun& run);
+
+}  // namespace meshgrade

@@ -1,0 +1,52 @@
+#include "grader/build/stand_in.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "grader/base/errors.h"
+
+namespace meshgrade {
+namespace {
+
+/// No submitted file can have this name.
+std::string file_name(const StandIn& stand_in) {
+  return "~" + stand_in.exercise + ".cpp";
+}
+
+std::string read_reference(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream) throw GraderError("the reference's file " + file.string() + " cannot be read");
+  return text;
+}
+
+}  // namespace
+
+std::optional<Submission> with_stand_ins(Submission submission, const Home& home,
+                                         const std::vector<StandIn>& stand_ins) {
+  if (home.reference.empty()) return std::nullopt;
+  for (SourceFile& source : submission.sources) {
+    LeavingOut rest(source.name, std::move(source.text));
+    for (const StandIn& stand_in : stand_ins) {
+      for (const std::string& function : stand_in.functions)
+        rest.remove_function(function);
+    }
+    source.text = rest.text();
+  }
+  // At the end, so that they go when there are two definitions, and not the student's file.
+  for (const StandIn& stand_in : stand_ins) {
+    submission.sources.push_back(
+        {file_name(stand_in), read_reference(home.reference / (stand_in.exercise + ".cpp"))});
+  }
+  return submission;
+}
+
+bool has_stand_ins(const Build& build, const std::vector<StandIn>& stand_ins) {
+  return std::all_of(stand_ins.begin(), stand_ins.end(), [&](const StandIn& stand_in) {
+    const BuiltFile* file = build.find(file_name(stand_in));
+    return file != nullptr && file->ok && file->left_out.empty();
+  });
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/build/build.h"
+#include "grader/build/home.h"
+#include "grader/submission/submission.h"
+
+namespace meshgrade {
+
+/// An exercise whose right solution takes the place of the student's.
+struct StandIn {
+  std::string exercise;  ///< "edge_split": names the file of the reference
+  std::vector<std::string>
+      functions;  ///< "HalfedgeMesh::splitEdge": taken out of the submission
+};
+
+/// The submission with these exercises taken out of its files and the reference's files put in,
+/// so that what calls them can be judged on its own.
+/// @return nothing if this package comes without the reference
+/// @throws GraderError if a file of the reference cannot be read
+std::optional<Submission> with_stand_ins(Submission submission, const Home& home,
+                                         const std::vector<StandIn>& stand_ins);
+
+/// Whether the stand-ins are really part of what was built. They are not when the student's own
+/// function stands where it is not found, made by a macro for example.
+bool has_stand_ins(const Build& build, const std::vector<StandIn>& stand_ins);
+
+}  // namespace meshgrade
