@@ -56,7 +56,6 @@ void shrink_bezier_curve_case(CaseMaker& maker, const Case& failed) {
     const auto end = input.points.begin() + static_cast<std::ptrdiff_t>(count);
     add_step(maker, failed.group, {input.points.begin(), end}, input.t);
   }
-  if (input.t != 0.5) add_step(maker, failed.group, input.points, 0.5);
 }
 
 }  // namespace meshgrade

@@ -1,0 +1,136 @@
+// Subdivision is judged on its own, whatever the student's flip and split do.
+
+#include "grader/app/second_run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "grader/app/grading.h"
+#include "tests/app/spoiled_reference.h"
+#include "tests/support/standard_assignment.h"
+
+namespace meshgrade {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+SourceFile broken_split() {
+  return spoiled("edge_split.cpp", "return m;", "h->next() = h;\n  ");
+}
+
+std::vector<SourceFile> files(SourceFile flip, SourceFile split, SourceFile loop) {
+  return {std::move(flip), std::move(split), std::move(loop)};
+}
+
+class SecondRun : public testing::Test {
+ protected:
+  ExerciseReport loop_of(std::vector<SourceFile> sources) {
+    Submission submission;
+    submission.name = "test";
+    submission.sources = std::move(sources);
+    const Report report = grade(read_assignment(standard_assignment()), submission, home_,
+                                {"loop_subdivision"}, [](const auto&) {});
+    return report.exercises.at(0);
+  }
+
+  SourceFile flip_ = reference_file("edge_flip.cpp");
+  SourceFile split_ = reference_file("edge_split.cpp");
+  SourceFile loop_ = reference_file("loop_subdivision.cpp");
+  Home home_ = find_home();
+};
+
+TEST_F(SecondRun, IsNotNeededWhenAllIsRight) {
+  const ExerciseReport report = loop_of(files(flip_, split_, loop_));
+  EXPECT_EQ(report.verdict, Verdict::kPassed);
+  EXPECT_THAT(report.stand_ins, IsEmpty());
+}
+
+TEST_F(SecondRun, GivesARightSubdivisionItsPointsDespiteABrokenSplit) {
+  const ExerciseReport report = loop_of(files(flip_, broken_split(), loop_));
+  EXPECT_EQ(report.verdict, Verdict::kPassed);
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_EQ(report.extra_points, report.max_extra_points);
+  EXPECT_THAT(report.stand_ins, ElementsAre("edge_split"));
+  EXPECT_THAT(report.notes.at(0), HasSubstr("your own edge_split is part of this and fails"));
+  EXPECT_THAT(report.notes.at(1), HasSubstr("26 of 26 cases pass, instead of 0"));
+}
+
+TEST_F(SecondRun, JudgesASubdivisionBeforeTheSplitIsWritten) {
+  const ExerciseReport report = loop_of({flip_, loop_});
+  EXPECT_EQ(report.verdict, Verdict::kPassed);
+  EXPECT_THAT(report.stand_ins, ElementsAre("edge_split"));
+}
+
+TEST_F(SecondRun, FindsWhatIsWrongWithTheSubdivisionItself) {
+  const SourceFile wrong =
+      spoiled("loop_subdivision.cpp", "// 4. Move all",
+              "mesh.verticesBegin()->newPosition = mesh.verticesBegin()->position;\n  ");
+  const ExerciseReport report = loop_of(files(flip_, broken_split(), wrong));
+  EXPECT_EQ(report.verdict, Verdict::kFailed);
+  EXPECT_EQ(report.cases.at(0).findings.at(0).finding.rule, "position");
+  EXPECT_THAT(report.stand_ins, ElementsAre("edge_split"));
+}
+
+TEST_F(SecondRun, LeavesTheStubsAlone) {
+  const ExerciseReport report = loop_of({});
+  EXPECT_EQ(report.verdict, Verdict::kNotImplemented);
+  EXPECT_THAT(report.stand_ins, IsEmpty());
+}
+
+TEST_F(SecondRun, BlamesTheSubdivisionOnlyForItsOwnWhenTheSplitIsRight) {
+  const SourceFile wrong = spoiled("loop_subdivision.cpp", "// 4. Move all", "return;\n  ");
+  const ExerciseReport report = loop_of(files(flip_, split_, wrong));
+  EXPECT_EQ(report.verdict, Verdict::kFailed);
+  EXPECT_THAT(report.notes, IsEmpty());
+}
+
+TEST_F(SecondRun, TakesBothFunctionsOutOfOneFile) {
+  SourceFile all{"all.cpp", spoiled("edge_flip.cpp", "return e0;\n  // SOL",
+                                    "f->halfedge() = HalfedgeIter();\n  ")
+                                    .text +
+                                broken_split().text + loop_.text};
+  const ExerciseReport report = loop_of({all});
+  EXPECT_EQ(report.verdict, Verdict::kPassed);
+  EXPECT_THAT(report.stand_ins, ElementsAre("edge_flip", "edge_split"));
+}
+
+TEST_F(SecondRun, GivesTheExtraCreditToWhoRefusesBoundarySplits) {
+  const ExerciseReport report = loop_of(files(
+      flip_,
+      [&] {
+        SourceFile refusing = split_;
+        const std::string start = "const HalfedgeIter h = e0->halfedge();";
+        refusing.text.insert(refusing.text.find(start),
+                             "if (e0->isBoundary()) return VertexIter();\n  ");
+        return refusing;
+      }(),
+      loop_));
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_EQ(report.extra_points, report.max_extra_points);
+}
+
+TEST_F(SecondRun, SaysWhenTheFunctionCannotBeTakenOut) {
+  SourceFile hidden = broken_split();
+  const std::string name = "HalfedgeMesh::splitEdge(";
+  const std::size_t at = hidden.text.find("VertexIter " + name);
+  hidden.text.replace(at, 11 + name.size(), "VertexIter MINE(");
+  hidden.text.insert(0, "#define MINE HalfedgeMesh::splitEdge\n");
+  const ExerciseReport report = loop_of(files(flip_, hidden, loop_));
+  EXPECT_EQ(report.points, 0.0);
+  EXPECT_THAT(report.notes, Contains(HasSubstr("could not be run again")));
+}
+
+TEST_F(SecondRun, SaysWhenThePackageHasNoReference) {
+  home_.reference.clear();
+  const ExerciseReport report = loop_of(files(flip_, broken_split(), loop_));
+  EXPECT_EQ(report.points, 0.0);
+  EXPECT_NE(report.verdict, Verdict::kPassed);
+  EXPECT_THAT(report.notes.at(0), HasSubstr("your own edge_split is part of this and fails"));
+  EXPECT_THAT(report.notes.at(1), HasSubstr("this package comes without one"));
+}
+
+}  // namespace
+}  // namespace meshgrade
