@@ -4,6 +4,7 @@
 
 #include "grader/app/check_command.h"
 #include "grader/app/dev_check_command.h"
+#include "grader/app/handout_command.h"
 #include "grader/app/hint_command.h"
 #include "grader/app/list_command.h"
 #include "grader/app/mesh_info_command.h"
@@ -30,6 +31,7 @@ int run(int argc, char** argv) {
   meshgrade::add_list_command(app, exit_code);
   meshgrade::add_subdivide_command(app, exit_code);
   meshgrade::add_mesh_info_command(app, exit_code);
+  meshgrade::add_handout_command(app, exit_code);
   meshgrade::add_dev_check_command(app, exit_code);
   app.footer(
       "`meshgrade COMMAND --help` explains a command, with examples.\n"

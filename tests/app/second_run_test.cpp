@@ -62,6 +62,7 @@ TEST_F(SecondRun, JudgesASubdivisionBeforeTheSplitIsWritten) {
   const ExerciseReport report = loop_of({flip_, loop_});
   EXPECT_EQ(report.verdict, Verdict::kPassed);
   EXPECT_THAT(report.stand_ins, ElementsAre("edge_split"));
+  EXPECT_THAT(report.notes.at(0), HasSubstr("is not written for all cases"));
 }
 
 TEST_F(SecondRun, FindsWhatIsWrongWithTheSubdivisionItself) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+
+namespace meshgrade {
+
+/// Writes the students' package: the skeleton, the shared headers, the grader, the visible
+/// meshes and the students' pages, without the reference, the tests, or what only instructors
+/// need. `assignment` is the file that its grader reads.
+/// @throws UserError if the folder `target` is not empty or cannot be written
+void write_handout(const std::filesystem::path& project,
+                   const std::filesystem::path& assignment,
+                   const std::filesystem::path& target);
+
+}  // namespace meshgrade

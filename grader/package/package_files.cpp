@@ -1,0 +1,71 @@
+#include "grader/package/package_files.h"
+
+#include <system_error>
+
+#include "grader/base/errors.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require(const fs::path& target, const std::error_code& error) {
+  if (!error) return;
+  throw UserError(target.string() + ": cannot be written: " + error.message());
+}
+
+void copy_one(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::create_directories(to.parent_path(), error);
+  require(to.parent_path(), error);
+  fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+  require(to, error);
+}
+
+void copy_folder(const fs::path& from, const fs::path& to) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+    if (entry.is_symlink() || fs::exists(entry.path() / "CMakeCache.txt")) continue;
+    const fs::path target = to / entry.path().filename();
+    if (entry.is_directory()) {
+      copy_folder(entry.path(), target);
+    } else if (entry.is_regular_file()) {
+      copy_one(entry.path(), target);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<PackagePart> grader_parts() {
+  std::vector<PackagePart> parts;
+  for (const char* part : {"LICENSE", "CMakeLists.txt", "CMakePresets.json", ".gitignore",
+                           "cmake", "meshgrade", "include", "grader", "meshes"}) {
+    parts.push_back({part, part});
+  }
+  return parts;
+}
+
+void make_package_folder(const fs::path& target) {
+  std::error_code error;
+  fs::create_directories(target, error);
+  require(target, error);
+  if (!fs::is_empty(target, error)) {
+    throw UserError(target.string() + " is not empty; name a new folder with -o");
+  }
+}
+
+void copy_parts(const fs::path& project, const std::vector<PackagePart>& parts,
+                const fs::path& target) {
+  for (const PackagePart& part : parts) {
+    const fs::path from = project / part.from;
+    if (fs::is_directory(from)) {
+      copy_folder(from, target / part.to);
+    } else if (fs::is_regular_file(from)) {
+      copy_one(from, target / part.to);
+    } else {
+      throw UserError(from.string() + " is missing: this is no whole copy of Meshgrade");
+    }
+  }
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace meshgrade {
+
+/// A file or a folder of the project, and where it goes in a package.
+struct PackagePart {
+  std::string from;
+  std::string to;
+};
+
+/// What any package needs that grades: the script, the sources of the grader, the shared
+/// headers, the visible meshes, the skeleton, the licence.
+std::vector<PackagePart> grader_parts();
+
+/// Makes a folder for a package.
+/// @throws UserError if it is there already and not empty, or cannot be made
+void make_package_folder(const std::filesystem::path& target);
+
+/// Copies parts of the project. Links are left out, and so is what a build leaves behind.
+/// @throws UserError if one cannot be copied
+void copy_parts(const std::filesystem::path& project, const std::vector<PackagePart>& parts,
+                const std::filesystem::path& target);
+
+}  // namespace meshgrade

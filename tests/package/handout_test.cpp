@@ -1,0 +1,139 @@
+// The students' package is whole, and holds nothing of the solution.
+
+#include "grader/package/handout.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "grader/base/errors.h"
+#include "grader/base/process.h"
+#include "grader/base/text.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const fs::path kProject = MESHGRADE_SOURCE_DIR;
+const fs::path kAssignment = kProject / "grader" / "assignment.toml";
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string trimmed(const std::string& line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first == std::string::npos) return {};
+  return line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+}
+
+/// Whether a line tells something of the solution: the head of a loop over all points, or a
+/// short line, could stand anywhere.
+bool is_telling(const std::string& line) {
+  return line.size() >= 32 && line.rfind("for (", 0) != 0;
+}
+
+/// The lines of the reference between its SOLUTION marks that tell something.
+std::set<std::string> solution_lines() {
+  std::set<std::string> lines;
+  for (const auto& entry : fs::directory_iterator(kProject / "reference")) {
+    bool inside = false;
+    for (const std::string& line : split_lines(read(entry.path()))) {
+      if (line.find("// SOLUTION BEGIN") != std::string::npos) {
+        inside = true;
+      } else if (line.find("// SOLUTION END") != std::string::npos) {
+        inside = false;
+      } else if (const std::string text = trimmed(line); inside && is_telling(text)) {
+        lines.insert(text);
+      }
+    }
+  }
+  return lines;
+}
+
+class Handout : public testing::Test {
+ protected:
+  Handout() : folder_(scratch_.path() / "handout") {
+    write_handout(kProject, kAssignment, folder_);
+  }
+
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
+      if (entry.is_regular_file())
+        found[entry.path().lexically_relative(folder_).string()] = read(entry.path());
+    }
+    return found;
+  }
+
+  ScratchFolder scratch_;
+  fs::path folder_;
+};
+
+TEST_F(Handout, HoldsNoLineOfTheSolution) {
+  const std::set<std::string> solution = solution_lines();
+  ASSERT_GT(solution.size(), 60U) << "are the marks of the reference found?";
+  for (const auto& [file, text] : files()) {
+    for (const std::string& line : split_lines(text))
+      EXPECT_EQ(solution.count(trimmed(line)), 0U) << file << ": " << line;
+  }
+}
+
+TEST_F(Handout, HoldsNeitherReferenceNorTestsNorInstructorsPages) {
+  for (const auto& [file, text] : files()) {
+    for (const char* room : {"reference/", "tests/", ".git/", "build/", "docs/adequacy",
+                             "docs/instructor", "docs/maintainer"})
+      EXPECT_NE(file.rfind(room, 0), 0U) << file;
+  }
+}
+
+TEST_F(Handout, HasEveryFileThatTheBuildNeeds) {
+  Command configure;
+  configure.arguments = {"cmake", "--preset", "release"};
+  configure.folder = folder_;
+  const ProcessResult configured = run_process(configure);
+  ASSERT_TRUE(configured.ok()) << configured.output;
+  Command build;
+  build.arguments = {"ninja", "-C", "build/release", "-n", "meshgrade"};
+  build.folder = folder_;
+  const ProcessResult planned = run_process(build);
+  EXPECT_TRUE(planned.ok()) << planned.output;
+}
+
+TEST_F(Handout, HasEveryPageThatItsPagesLinkTo) {
+  for (const auto& [file, text] : files()) {
+    if (fs::path(file).extension() != ".md") continue;
+    for (std::size_t at = 0; (at = text.find("](", at)) != std::string::npos;) {
+      at += 2;
+      const std::string link = text.substr(at, text.find_first_of(")#", at) - at);
+      if (link.empty() || link.find("://") != std::string::npos) continue;
+      EXPECT_TRUE(fs::exists(folder_ / fs::path(file).parent_path() / link))
+          << file << " links to " << link;
+    }
+  }
+}
+
+TEST_F(Handout, KeepsTheScriptExecutable) {
+  const auto may_run = fs::status(folder_ / "meshgrade").permissions() & fs::perms::owner_exec;
+  EXPECT_NE(may_run, fs::perms::none);
+}
+
+TEST_F(Handout, IsNotWrittenOverAFolderWithFiles) {
+  try {
+    write_handout(kProject, kAssignment, folder_);
+    FAIL() << "no error";
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is not empty"));
+  }
+}
+
+}  // namespace
+}  // namespace meshgrade
