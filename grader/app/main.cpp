@@ -2,6 +2,7 @@
 #include <exception>
 #include <iostream>
 
+#include "grader/app/batch_command.h"
 #include "grader/app/check_command.h"
 #include "grader/app/dev_check_command.h"
 #include "grader/app/hint_command.h"
@@ -24,6 +25,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string("meshgrade ") + MESHGRADE_VERSION);
   meshgrade::add_check_command(app, exit_code);
+  meshgrade::add_batch_command(app, exit_code);
   meshgrade::add_watch_command(app, exit_code);
   meshgrade::add_replay_command(app, exit_code);
   meshgrade::add_hint_command(app, exit_code);

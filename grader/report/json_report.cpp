@@ -69,6 +69,7 @@ Json to_value(const CaseReport& report) {
              {"note", report.note},
              {"output", report.output},
              {"output_bytes", report.output_bytes}};
+  if (report.excused) value["excused"] = true;
   value["findings"] = Json::array();
   for (const FindingReport& finding : report.findings) {
     value["findings"].push_back(to_value(finding));
@@ -108,7 +109,7 @@ Json to_value(const ExerciseReport& report) {
 }  // namespace
 
 std::string to_json(const Report& report) {
-  Json value{{"schema", "meshgrade-report/1"},
+  Json value{{"schema", kReportSchema},
              {"assignment", report.assignment},
              {"seed", report.seed},
              {"submission", report.submission},

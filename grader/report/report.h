@@ -61,6 +61,9 @@ struct ExerciseReport {
   std::vector<std::string> notes;  ///< "uses Warren's weights", "edge_split fails: see there"
 };
 
+/// Written into each report as JSON; docs/report.md says when it changes.
+constexpr const char* kReportSchema = "meshgrade-report/1";
+
 struct FileReport {
   std::string name;
   bool compiled = false;

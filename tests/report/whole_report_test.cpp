@@ -6,7 +6,9 @@
 #include <regex>
 
 #include "grader/app/grading.h"
+#include "grader/base/errors.h"
 #include "grader/report/json_report.h"
+#include "grader/report/report_reader.h"
 #include "grader/report/terminal_report.h"
 #include "tests/support/scratch_files.h"
 #include "tests/support/standard_assignment.h"
@@ -122,6 +124,28 @@ TEST(WholeReport, NothingOfTheStudentsBreaksTheJson) {
   const auto& first = json.at("exercises").at(0).at("cases").at(0);
   EXPECT_NE(first.at("output").get<std::string>().find("\","), std::string::npos);
   EXPECT_FALSE(has_control_characters(first.dump()));
+}
+
+TEST(WholeReport, IsReadBackFromItsJson) {
+  const Submission hostile = hostile_submission();
+  for (const Report& report :
+       {Report{}, grade_submission(hostile, {"vertex_normal", "edge_flip"}),
+        grade_submission(folder_submission("tests/submissions/wrong/edge_split/one_side_only"),
+                         {"edge_split"})}) {
+    const Report back = read_report(to_json(report));
+    EXPECT_EQ(to_json(back), to_json(report));
+    EXPECT_EQ(to_terminal(back, {false, true}), to_terminal(report, {false, true}));
+  }
+}
+
+TEST(WholeReport, DamagedJsonIsRefused) {
+  const std::string whole = to_json(grade_submission(hostile_submission(), {"vertex_normal"}));
+  EXPECT_THROW(read_report(whole.substr(0, whole.size() / 2)), UserError);
+  EXPECT_THROW(read_report("{}"), UserError);
+  EXPECT_THROW(read_report(""), UserError);
+  std::string other = whole;
+  other.replace(other.find("meshgrade-report/1"), 18, "meshgrade-report/9");
+  EXPECT_THROW(read_report(other), UserError);
 }
 
 TEST(WholeReport, TerminalShowsNoControlCharactersOfTheStudents) {
