@@ -21,6 +21,7 @@
 #include "grader/base/text.h"
 #include "grader/batch/batch.h"
 #include "grader/batch/class_results.h"
+#include "grader/batch/class_summary.h"
 #include "grader/exports/exports.h"
 #include "grader/report/terminal_report.h"
 #include "grader/submission/archive.h"
@@ -94,7 +95,10 @@ Grading grading_of(const Assignment& assignment, const BatchCommandOptions& opti
 }
 
 void write_class_files(const ClassResults& results, const fs::path& folder) {
-  write_file_safely(folder / "class.json", to_json(results));
+  const ClassSummary summary = summarize(results, result_store(folder));
+  write_file_safely(folder / kClassFile, to_json(results));
+  write_file_safely(folder / "summary.json", to_json(summary));
+  write_file_safely(folder / "summary.txt", to_text(summary));
   write_file_safely(folder / "grades.csv", find_class_export("csv")->write(results, {}).text);
 }
 

@@ -55,7 +55,7 @@ class BatchFolder {
   ~BatchFolder();
 
   const std::filesystem::path& path() const { return folder_; }
-  ResultStore store() const { return ResultStore(folder_ / "results"); }
+  ResultStore store() const { return result_store(folder_); }
 
  private:
   void clear() const;

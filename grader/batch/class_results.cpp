@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "grader/base/errors.h"
+#include "grader/base/safe_file.h"
 
 namespace meshgrade {
 
@@ -90,6 +91,20 @@ ClassResults read_class_results(const std::string& json) {
     return value.get<ClassResults>();
   } catch (const Json::exception& error) {
     throw UserError(std::string("it cannot be read: ") + error.what());
+  }
+}
+
+ClassResults load_class_results(const std::filesystem::path& batch_folder) {
+  const std::filesystem::path file = batch_folder / kClassFile;
+  if (!std::filesystem::exists(file)) {
+    throw UserError(batch_folder.string() + ": there are no results of a class here; grade " +
+                    "with `meshgrade batch SUBMISSIONS -o " + batch_folder.string() +
+                    "` first");
+  }
+  try {
+    return read_class_results(read_whole_file(file));
+  } catch (const UserError& error) {
+    throw UserError(file.string() + ": " + error.what());
   }
 }
 

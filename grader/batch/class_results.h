@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,9 @@ struct ClassResults {
   std::vector<Omission> left_out;
 };
 
+/// The file of a batch's folder that holds them.
+constexpr const char* kClassFile = "class.json";
+
 /// Looks up in the store what the hand-ins of the roster got.
 ClassResults collect_results(const Roster& roster, const Assignment& assignment,
                              const std::vector<std::string>& exercises,
@@ -55,6 +59,10 @@ ClassResults collect_results(const Roster& roster, const Assignment& assignment,
 
 /// The results as JSON; docs/batch.md explains the keys.
 std::string to_json(const ClassResults& results);
+
+/// The results that a batch has left in this folder.
+/// @throws UserError if there are none, or they cannot be read
+ClassResults load_class_results(const std::filesystem::path& batch_folder);
 
 /// Reads what to_json() has written.
 /// @throws UserError if it is something else

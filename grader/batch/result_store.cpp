@@ -74,6 +74,10 @@ const char* status_name(ResultStatus status) {
   return "not graded yet";
 }
 
+ResultStore result_store(const fs::path& batch_folder) {
+  return ResultStore(batch_folder / "results");
+}
+
 fs::path ResultStore::folder_of(const std::string& key) const {
   return folder_ / safe_file_name(key);
 }

@@ -48,4 +48,7 @@ class ResultStore {
   std::filesystem::path folder_;
 };
 
+/// The results in the folder of a batch.
+ResultStore result_store(const std::filesystem::path& batch_folder);
+
 }  // namespace meshgrade

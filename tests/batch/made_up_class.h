@@ -87,7 +87,7 @@ class MadeUpClass {
     return names;
   }
 
-  ResultStore store() const { return ResultStore(results() / "results"); }
+  ResultStore store() const { return result_store(results()); }
   Result result_of(const std::string& who) const { return store().load(who); }
 
   ScratchFolder scratch_;
