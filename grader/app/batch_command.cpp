@@ -85,11 +85,12 @@ Grading grading_of(const Assignment& assignment, const BatchCommandOptions& opti
   grading.grade = [&assignment, &options, home](const Submission& submission, unsigned) {
     return grade(assignment, submission, home, options.exercises, [](const std::string&) {});
   };
-  grading.to_text = [](const Report& report) { return to_terminal(report, {}); };
+  grading.to_text = [](const Report& report) { return to_terminal(student_view(report), {}); };
   Digest identity;
   identity.add(grader_identity(home))
       .add(read_whole_file(or_standard_assignment(options.assignment)))
-      .add(join(options.exercises, ","));
+      .add(join(options.exercises, ","))
+      .add(assignment.hidden ? std::to_string(assignment.hidden->seed.value_or(0)) : "");
   grading.identity = identity.hex();
   return grading;
 }
@@ -177,9 +178,17 @@ int run(const BatchCommandOptions& options, const Assignment& assignment, const 
   return conclude(results, options, complete);
 }
 
+/// A class must not be graded without the cases that it is to be graded by.
+void require_hidden_seed(const Assignment& assignment) {
+  if (!assignment.hidden || assignment.hidden->seed) return;
+  throw UserError(assignment.hidden->seed_file.string() +
+                  ": cannot be read; it holds the seed of the assignment's hidden cases");
+}
+
 int batch(const BatchCommandOptions& options) {
   const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
   choose_exercises(assignment, options.exercises);
+  require_hidden_seed(assignment);
   std::optional<BatchFolder> folder;
   if (!options.list) {
     if (options.results.empty()) throw UserError("name a folder for the results: -o RESULTS");

@@ -63,7 +63,8 @@ void export_students(const StudentExport& format, const ClassResults& results,
                               : fs::path(options.output);
   const ResultStore store = result_store(options.results);
   for (const ClassRow& row : results.rows) {
-    const Result result = store.load(row.key);
+    Result result = store.load(row.key);
+    if (result.report) result.report = student_view(std::move(*result.report));
     const Report* report = result.report ? &*result.report : nullptr;
     const fs::path own = folder / safe_file_name(row.key);
     make_folder(own);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "grader/base/errors.h"
 #include "grader/cases/mesh_shapes.h"
@@ -27,6 +29,30 @@ const std::map<std::string, MakeCases>& makers() {
   return table;
 }
 
+std::vector<Case> make_with_seed(MakeCases make, const Assignment& assignment,
+                                 const ExerciseRubric& rubric,
+                                 const std::filesystem::path& meshes) {
+  CaseMaker cases(assignment, rubric, meshes);
+  make(cases);
+  return cases.take();
+}
+
+/// Adds what another seed draws; what it does not draw is there already. The numbers go on.
+void add_hidden(std::vector<Case> drawn, std::vector<Case>& made) {
+  std::set<std::pair<std::string, std::string>> known;
+  std::map<std::string, int> last;
+  for (const Case& c : made) {
+    known.insert({c.group, c.input});
+    last[c.group] = c.number;
+  }
+  for (Case& c : drawn) {
+    if (!known.insert({c.group, c.input}).second) continue;
+    c.number = ++last[c.group];
+    c.hidden = true;
+    made.push_back(std::move(c));
+  }
+}
+
 }  // namespace
 
 PolygonMesh CaseMaker::mesh(const std::string& file) const {
@@ -48,7 +74,7 @@ void CaseMaker::add_packed(const std::string& group, const std::string& title,
   const auto number = std::count_if(cases_.begin(), cases_.end(),
                                     [&](const Case& c) { return c.group == group; });
   cases_.push_back({rubric_.name, group, static_cast<int>(number) + 1, title, std::move(input),
-                    step_budget});
+                    step_budget, false});
 }
 
 std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric& rubric,
@@ -58,9 +84,12 @@ std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric&
     throw UserError("the assignment names the exercise \"" + rubric.name +
                     "\", which does not exist");
   }
-  CaseMaker cases(assignment, rubric, meshes);
-  maker->second(cases);
-  std::vector<Case> made = cases.take();
+  std::vector<Case> made = make_with_seed(maker->second, assignment, rubric, meshes);
+  if (assignment.hidden && assignment.hidden->seed) {
+    Assignment other = assignment;
+    other.seed = *assignment.hidden->seed;
+    add_hidden(make_with_seed(maker->second, other, rubric, meshes), made);
+  }
   for (const Group& group : rubric.groups) {
     const auto in_group = [&](const Case& c) { return c.group == group.name; };
     if (std::none_of(made.begin(), made.end(), in_group)) {

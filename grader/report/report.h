@@ -33,6 +33,7 @@ struct CaseReport {
   std::vector<FindingReport> findings;
   std::string note;
   bool excused = false;  ///< does not count: see CaseJudgement
+  bool hidden = false;   ///< not handed out: see student_view()
   std::string output;    ///< what the code printed in this case, cut off
   std::uint64_t output_bytes = 0;
 };
@@ -75,6 +76,7 @@ struct Report {
   std::string assignment;
   std::string submission;
   std::uint64_t seed = 0;
+  HiddenShow hidden_show = HiddenShow::kAll;  ///< what students may see of hidden cases
   std::vector<std::string> notes;
   std::vector<FileReport> files;
   std::vector<ExerciseReport> exercises;
@@ -85,6 +87,9 @@ struct Report {
 
   bool has_grader_error() const;
 };
+
+/// The report as the student may see it: of hidden cases only what the assignment allows.
+Report student_view(Report report);
 
 /// An exercise after judging, its cases in order.
 struct JudgedCase {

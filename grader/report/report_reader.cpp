@@ -94,6 +94,7 @@ void read(const Json& value, CaseReport& report) {
   report.verdict = read_verdict(value);
   report.note = value.at("note");
   report.excused = value.value("excused", false);
+  report.hidden = value.value("hidden", false);
   report.output = value.at("output");
   report.output_bytes = value.at("output_bytes");
   report.findings = read_list<FindingReport>(value, "findings");
@@ -134,6 +135,10 @@ void read(const Json& value, Report& report) {
   report.assignment = value.at("assignment");
   report.submission = value.at("submission");
   report.seed = value.at("seed");
+  const std::string show = value.value("hidden_show", "all");
+  report.hidden_show = show == "all"    ? HiddenShow::kAll
+                       : show == "rule" ? HiddenShow::kRule
+                                        : HiddenShow::kName;
   read_points(value, report);
   report.notes = read_list<std::string>(value, "notes");
   report.files = read_list<FileReport>(value, "files");

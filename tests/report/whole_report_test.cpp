@@ -138,6 +138,44 @@ TEST(WholeReport, IsReadBackFromItsJson) {
   }
 }
 
+/// The reversed normals fail everywhere; the case of another seed is hidden.
+Report report_with_hidden_cases(HiddenShow show) {
+  Assignment assignment = standard_rubric();
+  assignment.hidden = HiddenCases{"", 4711, show};
+  const Submission submission =
+      submission_of({normal_file("  std::cout << \"I saw it\";\n  return Vector3D(1, 0, 0);",
+                                 "#include <iostream>")});
+  return grade(assignment, submission, test_home(), {"vertex_normal"}, [](const auto&) {});
+}
+
+TEST(WholeReport, OfHiddenCasesStudentsSeeWhatTheAssignmentAllows) {
+  for (const HiddenShow show : {HiddenShow::kName, HiddenShow::kRule, HiddenShow::kAll}) {
+    const Report whole = read_report(to_json(report_with_hidden_cases(show)));
+    const Report seen = student_view(whole);
+    std::size_t hidden = 0;
+    const auto& cases = seen.exercises.at(0).cases;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const CaseReport& before = whole.exercises[0].cases[i];
+      EXPECT_EQ(cases[i].verdict, before.verdict);
+      if (!cases[i].hidden || show == HiddenShow::kAll) {
+        EXPECT_EQ(cases[i].title, before.title);
+        EXPECT_EQ(cases[i].findings.size(), before.findings.size());
+        continue;
+      }
+      ++hidden;
+      EXPECT_EQ(cases[i].title, "a hidden case");
+      EXPECT_EQ(cases[i].output, "");
+      EXPECT_EQ(cases[i].findings.size(), show == HiddenShow::kRule ? 1U : 0U);
+      for (const FindingReport& finding : cases[i].findings)
+        EXPECT_EQ(finding.finding.actual + finding.finding.expected, "");
+    }
+    EXPECT_EQ(hidden > 0, show != HiddenShow::kAll);
+    EXPECT_EQ(schema_faults({to_json(whole), to_json(seen)}), "");
+    EXPECT_EQ(to_json(whole).find("4711"), std::string::npos) << "the seed must not be told";
+    EXPECT_EQ(seen.points, whole.points);
+  }
+}
+
 TEST(WholeReport, DamagedJsonIsRefused) {
   const std::string whole = to_json(grade_submission(hostile_submission(), {"vertex_normal"}));
   EXPECT_THROW(read_report(whole.substr(0, whole.size() / 2)), UserError);
