@@ -7,6 +7,7 @@
 #include "grader/app/context.h"
 #include "grader/app/grading.h"
 #include "grader/base/errors.h"
+#include "grader/base/safe_file.h"
 #include "grader/mutants/adequacy_page.h"
 
 namespace meshgrade {

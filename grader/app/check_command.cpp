@@ -9,6 +9,7 @@
 #include "grader/app/grading.h"
 #include "grader/app/progress_store.h"
 #include "grader/app/replay_command.h"
+#include "grader/base/safe_file.h"
 #include "grader/report/json_report.h"
 #include "grader/report/terminal_report.h"
 

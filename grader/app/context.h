@@ -19,8 +19,4 @@ std::filesystem::path standard_assignment();
 /// The file that was named, or the standard assignment.
 std::filesystem::path or_standard_assignment(const std::string& file);
 
-/// Writes a whole file, or nothing: to a temporary name first, which is then renamed.
-/// @throws UserError if it cannot be written
-void write_file_safely(const std::filesystem::path& file, const std::string& text);
-
 }  // namespace meshgrade

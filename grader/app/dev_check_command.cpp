@@ -9,6 +9,7 @@
 #include "grader/app/context.h"
 #include "grader/app/grading.h"
 #include "grader/base/errors.h"
+#include "grader/base/safe_file.h"
 #include "grader/base/text.h"
 #include "grader/submission/skeleton_cutter.h"
 

@@ -2,8 +2,11 @@
 #include <exception>
 #include <iostream>
 
+#include "grader/app/batch_command.h"
 #include "grader/app/check_command.h"
 #include "grader/app/dev_check_command.h"
+#include "grader/app/diff_command.h"
+#include "grader/app/export_command.h"
 #include "grader/app/handout_command.h"
 #include "grader/app/hint_command.h"
 #include "grader/app/list_command.h"
@@ -25,6 +28,9 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string("meshgrade ") + MESHGRADE_VERSION);
   meshgrade::add_check_command(app, exit_code);
+  meshgrade::add_batch_command(app, exit_code);
+  meshgrade::add_export_command(app, exit_code);
+  meshgrade::add_diff_command(app, exit_code);
   meshgrade::add_watch_command(app, exit_code);
   meshgrade::add_replay_command(app, exit_code);
   meshgrade::add_hint_command(app, exit_code);

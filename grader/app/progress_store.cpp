@@ -9,6 +9,7 @@
 
 #include "grader/app/context.h"
 #include "grader/base/errors.h"
+#include "grader/base/safe_file.h"
 
 namespace meshgrade {
 

@@ -161,6 +161,39 @@ SubmissionRules read_submission(Section section) {
   return rules;
 }
 
+std::optional<HiddenCases> read_hidden(Section section) {
+  HiddenCases hidden;
+  hidden.seed_file = section.require<std::string>("seed_file");
+  if (hidden.seed_file.empty()) section.fail_at("seed_file", "must name a file");
+  const auto show = section.get<std::string>("show", "name");
+  if (show == "rule") {
+    hidden.show = HiddenShow::kRule;
+  } else if (show == "all") {
+    hidden.show = HiddenShow::kAll;
+  } else if (show != "name") {
+    section.fail_at("show", "must be \"name\", \"rule\" or \"all\"");
+  }
+  section.refuse_unknown_keys();
+  return hidden;
+}
+
+/// The number in the seed file, which lies beside the assignment unless its name says otherwise.
+void read_seed(HiddenCases& hidden, const std::filesystem::path& assignment) {
+  hidden.seed_file = assignment.parent_path() / hidden.seed_file;
+  std::ifstream stream(hidden.seed_file);
+  if (!stream.is_open()) return;
+  std::string word;
+  std::string more;
+  stream >> word >> more;
+  const bool digits = !word.empty() && word.size() < 19 && more.empty() &&
+                      word.find_first_not_of("0123456789") == std::string::npos;
+  if (!digits) {
+    throw UserError(hidden.seed_file.string() +
+                    ": must hold one whole number, the seed of the hidden cases");
+  }
+  hidden.seed = std::stoull(word);
+}
+
 Group read_group(Section& section, const std::vector<Group>& before) {
   Group group;
   group.name = section.require<std::string>("name");
@@ -217,6 +250,7 @@ Assignment read_table(const toml::table& table, const std::string& name) {
   }
   assignment.limits = read_limits(root.section("limits"));
   assignment.submission = read_submission(root.section("submission"));
+  if (table.contains("hidden")) assignment.hidden = read_hidden(root.section("hidden"));
   for (Section& exercise : root.sections("exercise")) {
     assignment.exercises.push_back(read_exercise(exercise, assignment));
   }
@@ -271,7 +305,9 @@ Assignment read_assignment(const std::filesystem::path& file) {
   if (!stream.good() || std::filesystem::is_directory(file)) {
     throw UserError(file.string() + ": cannot be read; name an assignment file (.toml)");
   }
-  return parse_assignment(text.str(), file.string());
+  Assignment assignment = parse_assignment(text.str(), file.string());
+  if (assignment.hidden) read_seed(*assignment.hidden, file);
+  return assignment;
 }
 
 }  // namespace meshgrade

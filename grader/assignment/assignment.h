@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,20 @@ struct SubmissionRules {
   std::uint32_t file_kb = 1024;
 };
 
+/// What a student learns about a hidden case that failed.
+enum class HiddenShow {
+  kName,  ///< that it failed
+  kRule,  ///< and which rule was broken
+  kAll,   ///< everything, as of any other case
+};
+
+/// Cases that are not in the handout: of the same kinds, drawn by another seed.
+struct HiddenCases {
+  std::filesystem::path seed_file;    ///< holds the seed; not handed out
+  std::optional<std::uint64_t> seed;  ///< what it says; empty where the file is not there
+  HiddenShow show = HiddenShow::kName;
+};
+
 /// What is asked and what it is worth.
 struct Assignment {
   std::string title;
@@ -51,13 +66,15 @@ struct Assignment {
   double tolerance = 0.0;  ///< of positions, relative to the size of the mesh
   Limits limits;
   SubmissionRules submission;
+  std::optional<HiddenCases> hidden;
   std::vector<ExerciseRubric> exercises;  ///< in the order in which they are reported
 
   double points() const;
   const ExerciseRubric* find(const std::string& exercise) const;
 };
 
-/// Reads an assignment file (TOML; docs/assignment.md lists the keys).
+/// Reads an assignment file (TOML; docs/assignment.md lists the keys), and the seed of hidden
+/// cases if its file is there.
 /// @throws UserError that names the file, the line and the key
 Assignment read_assignment(const std::filesystem::path& file);
 

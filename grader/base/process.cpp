@@ -4,6 +4,9 @@
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <algorithm>
 #include <cerrno>
@@ -38,8 +41,9 @@ Pipe make_pipe() {
 
 /// Runs in the new process, between fork and exec: only async-signal-safe calls.
 [[noreturn]] void become(const Command& command, char* const* argv, int input, int output,
-                         int failure) {
+                         int failure, pid_t parent) {
   ::setpgid(0, 0);
+  die_with(parent);
   // Out of the way first, so that no descriptor is overwritten before it has been copied.
   constexpr int kSafe = 100;
   ::dup2(input, kSafe);
@@ -138,6 +142,13 @@ FileDescriptor::~FileDescriptor() {
   if (fd_ >= 0) ::close(fd_);
 }
 
+void die_with([[maybe_unused]] pid_t parent) {
+#ifdef __linux__
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(1);  // it died before that
+#endif
+}
+
 FileDescriptor make_scratch_file() {
   std::string name = (std::filesystem::temp_directory_path() / "meshgrade-XXXXXX").string();
   const int fd = ::mkstemp(name.data());
@@ -172,10 +183,12 @@ ProcessResult run_process(const Command& command) {
   }
   argv.push_back(nullptr);
   Pipe failure = make_pipe();
+  const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child < 0) fail("cannot start " + command.arguments.at(0));
   if (child == 0) {
-    become(command, argv.data(), input.get(), output.write_end.get(), failure.write_end.get());
+    become(command, argv.data(), input.get(), output.write_end.get(), failure.write_end.get(),
+           parent);
   }
   output.write_end = FileDescriptor();
   failure.write_end = FileDescriptor();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "grader/base/errors.h"
 #include "grader/cases/mesh_shapes.h"
@@ -42,6 +44,30 @@ const Makers& makers_of(const ExerciseRubric& rubric) {
   return found->second;
 }
 
+std::vector<Case> make_with_seed(const Makers& makers, const Assignment& assignment,
+                                 const ExerciseRubric& rubric,
+                                 const std::filesystem::path& meshes) {
+  CaseMaker cases(assignment, rubric, meshes);
+  makers.cases(cases);
+  return cases.take();
+}
+
+/// Adds what another seed draws; what it does not draw is there already. The numbers go on.
+void add_hidden(std::vector<Case> drawn, std::vector<Case>& made) {
+  std::set<std::pair<std::string, std::string>> known;
+  std::map<std::string, int> last;
+  for (const Case& c : made) {
+    known.insert({c.group, c.input});
+    last[c.group] = c.number;
+  }
+  for (Case& c : drawn) {
+    if (!known.insert({c.group, c.input}).second) continue;
+    c.number = ++last[c.group];
+    c.hidden = true;
+    made.push_back(std::move(c));
+  }
+}
+
 }  // namespace
 
 PolygonMesh CaseMaker::mesh(const std::string& file) const {
@@ -63,14 +89,18 @@ void CaseMaker::add_packed(const std::string& group, const std::string& title,
   const auto number = std::count_if(cases_.begin(), cases_.end(),
                                     [&](const Case& c) { return c.group == group; });
   cases_.push_back({rubric_.name, group, static_cast<int>(number) + 1, title, std::move(input),
-                    step_budget});
+                    step_budget, false});
 }
 
 std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric& rubric,
                              const std::filesystem::path& meshes) {
-  CaseMaker cases(assignment, rubric, meshes);
-  makers_of(rubric).cases(cases);
-  std::vector<Case> made = cases.take();
+  const Makers& makers = makers_of(rubric);
+  std::vector<Case> made = make_with_seed(makers, assignment, rubric, meshes);
+  if (assignment.hidden && assignment.hidden->seed) {
+    Assignment other = assignment;
+    other.seed = *assignment.hidden->seed;
+    add_hidden(make_with_seed(makers, other, rubric, meshes), made);
+  }
   for (const Group& group : rubric.groups) {
     const auto in_group = [&](const Case& c) { return c.group == group.name; };
     if (std::none_of(made.begin(), made.end(), in_group)) {
@@ -86,8 +116,10 @@ std::vector<Case> make_smaller_cases(const Assignment& assignment, const Exercis
   CaseMaker cases(assignment, rubric, meshes);
   makers_of(rubric).smaller(cases, failed);
   std::vector<Case> smaller = cases.take();
-  for (Case& c : smaller)
+  for (Case& c : smaller) {
     c.number = failed.number;
+    c.hidden = failed.hidden;
+  }
   return smaller;
 }
 

@@ -51,8 +51,8 @@ class CaseMaker {
   std::vector<Case> cases_;
 };
 
-/// The cases of one exercise of the assignment, in a fixed order. Two calls give the same
-/// bytes.
+/// The cases of one exercise of the assignment, in a fixed order, those that are handed out
+/// before the hidden ones. Two calls give the same bytes.
 /// @throws UserError if the exercise or one of its groups does not exist, or a mesh file cannot
 ///         be read
 std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric& rubric,

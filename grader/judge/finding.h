@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ enum class Verdict {
 
 /// "passed", "failed", "not implemented", ...
 const char* verdict_name(Verdict verdict);
+
+/// The verdict of this name, if there is one.
+std::optional<Verdict> find_verdict(const std::string& name);
 
 /// One thing that is wrong, with all that a student needs to see it.
 struct Finding {

@@ -184,6 +184,13 @@ const char* verdict_name(Verdict verdict) {
   return "grader error";
 }
 
+std::optional<Verdict> find_verdict(const std::string& name) {
+  for (int i = 0; i <= static_cast<int>(Verdict::kGraderError); ++i) {
+    if (name == verdict_name(static_cast<Verdict>(i))) return static_cast<Verdict>(i);
+  }
+  return std::nullopt;
+}
+
 void require_all_steps(const Outcome& outcome, std::size_t asked) {
   if (outcome.ending == Ending::kDone && outcome.steps.size() < asked) {
     throw WireError("too few steps");

@@ -5,7 +5,7 @@
 
 #include "grader/base/errors.h"
 #include "grader/base/wire.h"
-#include "grader/mutants/job_pool.h"
+#include "grader/base/job_pool.h"
 
 namespace meshgrade {
 namespace {

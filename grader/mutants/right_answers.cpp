@@ -4,7 +4,7 @@
 
 #include "grader/base/random.h"
 #include "grader/base/wire.h"
-#include "grader/mutants/job_pool.h"
+#include "grader/base/job_pool.h"
 #include "grader/mutants/variants.h"
 #include "grader/report/json_report.h"
 

@@ -70,6 +70,8 @@ Json to_value(const CaseReport& report) {
              {"output", report.output},
              {"output_bytes", report.output_bytes}};
   if (!report.shrunk_from.empty()) value["shrunk_from"] = report.shrunk_from;
+  if (report.excused) value["excused"] = true;
+  if (report.hidden) value["hidden"] = true;
   value["findings"] = Json::array();
   for (const FindingReport& finding : report.findings) {
     value["findings"].push_back(to_value(finding));
@@ -110,7 +112,7 @@ Json to_value(const ExerciseReport& report) {
 }  // namespace
 
 std::string to_json(const Report& report) {
-  Json value{{"schema", "meshgrade-report/1"},
+  Json value{{"schema", kReportSchema},
              {"assignment", report.assignment},
              {"seed", report.seed},
              {"submission", report.submission},
@@ -119,6 +121,9 @@ std::string to_json(const Report& report) {
              {"extra_points", report.extra_points},
              {"max_extra_points", report.max_extra_points},
              {"notes", report.notes}};
+  if (report.hidden_show != HiddenShow::kAll) {
+    value["hidden_show"] = report.hidden_show == HiddenShow::kRule ? "rule" : "name";
+  }
   value["files"] = Json::array();
   for (const FileReport& file : report.files) {
     value["files"].push_back(

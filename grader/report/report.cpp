@@ -59,6 +59,7 @@ CaseReport to_case_report(const JudgedCase& judged, const SourceLines& sources) 
   report.verdict = judged.judgement.verdict;
   report.note = judged.judgement.note;
   report.excused = judged.judgement.excused;
+  report.hidden = judged.asked.hidden;
   report.output = judged.output;
   report.output_bytes = judged.output_bytes;
   for (const Finding& finding : judged.judgement.findings) {
@@ -124,6 +125,22 @@ ExerciseReport to_exercise_report(const JudgedExercise& judged, const SourceLine
   return report;
 }
 
+/// The title tells the input, and what the code printed may tell it as well.
+void hide_details(CaseReport& c, HiddenShow show) {
+  c.title = "a hidden case";
+  c.shrunk_from.clear();
+  c.note = c.verdict == Verdict::kPassed ? "" : "its details are not shown";
+  c.output.clear();
+  c.output_bytes = 0;
+  std::vector<FindingReport> findings;
+  if (show == HiddenShow::kRule && !c.findings.empty()) {
+    FindingReport& only = findings.emplace_back();
+    only.finding.rule = c.findings[0].finding.rule;
+    only.finding.meaning = c.findings[0].finding.meaning;
+  }
+  c.findings = std::move(findings);
+}
+
 }  // namespace
 
 bool Report::has_grader_error() const {
@@ -133,6 +150,16 @@ bool Report::has_grader_error() const {
   });
 }
 
+Report student_view(Report report) {
+  if (report.hidden_show == HiddenShow::kAll) return report;
+  for (ExerciseReport& exercise : report.exercises) {
+    for (CaseReport& c : exercise.cases) {
+      if (c.hidden) hide_details(c, report.hidden_show);
+    }
+  }
+  return report;
+}
+
 Report make_report(const Assignment& assignment, const Submission& submission,
                    const std::vector<BuiltFile>& files,
                    const std::vector<JudgedExercise>& exercises) {
@@ -140,6 +167,12 @@ Report make_report(const Assignment& assignment, const Submission& submission,
   report.assignment = assignment.title;
   report.submission = printable(submission.name);
   report.seed = assignment.seed;
+  if (assignment.hidden) {
+    report.hidden_show = assignment.hidden->show;
+    if (!assignment.hidden->seed) {
+      report.notes.emplace_back("hidden cases are not part of this: their seed is not here");
+    }
+  }
   report.notes = submission.notes;
   for (const BuiltFile& file : files) {
     const bool whole = file.ok && file.left_out.empty();

@@ -34,6 +34,7 @@ struct CaseReport {
   std::vector<FindingReport> findings;
   std::string note;
   bool excused = false;  ///< does not count: see CaseJudgement
+  bool hidden = false;   ///< not handed out: see student_view()
   std::string output;    ///< what the code printed in this case, cut off
   std::uint64_t output_bytes = 0;
 };
@@ -64,6 +65,9 @@ struct ExerciseReport {
   std::vector<std::string> stand_ins;
 };
 
+/// Written into each report as JSON; docs/report.md says when it changes.
+constexpr const char* kReportSchema = "meshgrade-report/1";
+
 struct FileReport {
   std::string name;
   bool compiled = false;
@@ -75,6 +79,7 @@ struct Report {
   std::string assignment;
   std::string submission;
   std::uint64_t seed = 0;
+  HiddenShow hidden_show = HiddenShow::kAll;  ///< what students may see of hidden cases
   std::vector<std::string> notes;
   std::vector<FileReport> files;
   std::vector<ExerciseReport> exercises;
@@ -85,6 +90,9 @@ struct Report {
 
   bool has_grader_error() const;
 };
+
+/// The report as the student may see it: of hidden cases only what the assignment allows.
+Report student_view(Report report);
 
 /// An exercise after judging, its cases in order.
 struct JudgedCase {

@@ -6,7 +6,9 @@
 #include <sstream>
 
 #include "grader/base/errors.h"
+#include "grader/base/process.h"
 #include "grader/base/text.h"
+#include "grader/submission/archive.h"
 #include "grader/submission/dialect.h"
 
 namespace meshgrade {
@@ -16,13 +18,6 @@ namespace fs = std::filesystem;
 
 bool has_ending(const fs::path& file, const std::set<std::string>& endings) {
   return endings.count(file.extension().string()) != 0;
-}
-
-bool is_source(const fs::path& file) {
-  return has_ending(file, {".cpp", ".cc", ".cxx"});
-}
-bool is_header(const fs::path& file) {
-  return has_ending(file, {".h", ".hpp", ".hh"});
 }
 
 std::vector<fs::path> list(const fs::path& folder) {
@@ -102,8 +97,8 @@ bool has_plain_name(const fs::path& file) {
 }
 
 void add_file(const fs::path& file, const SubmissionRules& rules, Submission& submission) {
-  const bool source = is_source(file);
-  if (!source && !is_header(file)) return;
+  const bool source = is_source_name(file);
+  if (!source && !is_header_name(file)) return;
   const std::string name = printable(file.filename().string());
   if (!has_plain_name(file)) {
     submission.notes.push_back(name +
@@ -124,23 +119,100 @@ void add_file(const fs::path& file, const SubmissionRules& rules, Submission& su
   (source ? submission.sources : submission.headers).push_back({name, std::move(text)});
 }
 
+void add_path(const fs::path& path, const SubmissionRules& rules, int archives,
+              Submission& submission);
+
+/// Of what is in an archive, only the names matter, except for the files that are looked at.
+Take choose_from_archive(const fs::path& name) {
+  if (std::any_of(name.begin(), name.end(), is_hidden)) return Take::kNothing;
+  const bool looked_at = is_source_name(name) || is_header_name(name) || is_archive_name(name);
+  return looked_at ? Take::kWhole : Take::kNameOnly;
+}
+
+void add_archive(const fs::path& archive, const SubmissionRules& rules, int archives,
+                 Submission& submission) {
+  constexpr int kMostArchives = 2;
+  const std::string name = printable(archive.filename().string());
+  if (archives == kMostArchives) {
+    throw UserError(name + ": an archive in an archive in an archive is not opened");
+  }
+  const ScratchFolder folder;
+  const auto notes =
+      unpack_archive(archive, folder.path(), ArchiveLimits(), choose_from_archive);
+  submission.notes.insert(submission.notes.end(), notes.begin(), notes.end());
+  add_path(folder.path(), rules, archives + 1, submission);
+}
+
+/// Archives beside C++ files are something else; a single one without any is the work itself.
+void add_archives(const std::vector<fs::path>& found, const SubmissionRules& rules,
+                  int archives, Submission& submission) {
+  if (found.size() == 1 && submission.sources.empty()) {
+    submission.notes.push_back("taken from " + printable(found[0].filename().string()));
+    add_archive(found[0], rules, archives, submission);
+    return;
+  }
+  for (const fs::path& archive : found) {
+    submission.notes.push_back(printable(archive.filename().string()) + " is left out: " +
+                               (submission.sources.empty() ? "one of several archives"
+                                                           : "there are C++ files beside it"));
+  }
+}
+
+void note_unknown_archive(const fs::path& file, Submission& submission) {
+  if (!has_ending(file, {".rar", ".arj", ".lzh", ".ace", ".Z", ".lz4"})) return;
+  submission.notes.push_back(printable(file.filename().string()) + " is left out: of " +
+                             "archives, " + kArchiveKinds + " can be opened");
+}
+
+void add_folder(const fs::path& path, const SubmissionRules& rules, int archives,
+                Submission& submission) {
+  const fs::path folder = enter_course_project(unwrap(path));
+  if (archives == 0) submission.folder = folder;
+  std::vector<fs::path> found;
+  for (const fs::path& file : list(folder)) {
+    std::error_code error;
+    if (is_hidden(file)) continue;
+    add_file(file, rules, submission);
+    const bool regular = fs::is_regular_file(fs::symlink_status(file, error));
+    if (regular && is_archive_name(file)) found.push_back(file);
+    if (regular) note_unknown_archive(file, submission);
+  }
+  add_archives(found, rules, archives, submission);
+}
+
+/// Adds what is in a folder, an archive, or a single file; `archives` have been opened already.
+void add_path(const fs::path& path, const SubmissionRules& rules, int archives,
+              Submission& submission) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    add_folder(path, rules, archives, submission);
+  } else if (is_archive_name(path)) {
+    add_archive(path, rules, archives, submission);
+  } else {
+    add_file(path, rules, submission);
+    note_unknown_archive(path, submission);
+  }
+}
+
 }  // namespace
+
+bool is_source_name(const fs::path& file) {
+  return has_ending(file, {".cpp", ".cc", ".cxx"});
+}
+
+bool is_header_name(const fs::path& file) {
+  return has_ending(file, {".h", ".hpp", ".hh"});
+}
 
 Submission find_submission(const fs::path& path, const SubmissionRules& rules) {
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw UserError(path.string() + ": there is no such file or folder");
+  if (!fs::exists(fs::status(path, error))) {
+    throw UserError(path.string() + ": there is no such file or folder");
+  }
   Submission submission;
   submission.name = fs::weakly_canonical(path, error).filename().string();
-  if (fs::is_directory(status)) {
-    submission.folder = enter_course_project(unwrap(path));
-    for (const fs::path& file : list(submission.folder)) {
-      if (!is_hidden(file)) add_file(file, rules, submission);
-    }
-  } else {
-    submission.folder = path.parent_path();
-    add_file(path, rules, submission);
-  }
+  submission.folder = fs::is_directory(path, error) ? path : path.parent_path();
+  add_path(path, rules, 0, submission);
   settle_dialect(submission);
   if (submission.sources.empty()) {
     throw UserError(path.string() + ": no C++ source file (.cpp) to grade here" +

@@ -34,11 +34,17 @@ struct Submission {
   std::vector<std::string> notes;          ///< what was recognised; what was left out, and why
 };
 
-/// Collects the C++ files of a folder, or a single file. Folders below are not searched, but
-/// when the folder holds nothing than one other folder, that one is taken, and in a project for
-/// Berkeley's skeleton its folder src. Links, devices and files that are too large are left out
-/// with a note.
-/// @throws UserError if there is nothing to grade
+/// Whether a file of this name is a C++ source file: .cpp, .cc, .cxx.
+bool is_source_name(const std::filesystem::path& file);
+/// Whether it is a header: .h, .hpp, .hh.
+bool is_header_name(const std::filesystem::path& file);
+
+/// Collects the C++ files of a folder or an archive, or a single file. Folders below are not
+/// searched, but when the folder holds nothing than one other folder, that one is taken, and in
+/// a project for Berkeley's skeleton its folder src. A single archive in a folder without C++
+/// files is opened, and once more one within that. Links, devices and files that are too large
+/// are left out with a note.
+/// @throws UserError if there is nothing to grade, or an archive cannot be opened
 Submission find_submission(const std::filesystem::path& path, const SubmissionRules& rules);
 
 }  // namespace meshgrade

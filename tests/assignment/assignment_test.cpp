@@ -30,6 +30,34 @@ TEST(Assignment, StandardOneAddsUpToAHundredAndTen) {
   EXPECT_EQ(assignment.find("edge_collapse"), nullptr);
 }
 
+std::string with_hidden(const std::string& keys) {
+  std::string text = kLeast;
+  return text.insert(text.find("[[exercise]]"), "[hidden]\n" + keys);
+}
+
+TEST(Assignment, HiddenSeedIsReadWhereItsFileIs) {
+  const ScratchFolder folder;
+  const auto file = write_file(folder.path() / "a.toml",
+                               with_hidden("seed_file = \"secret\"\nshow = \"rule\"\n"));
+  EXPECT_FALSE(read_assignment(file).hidden->seed);
+  write_file(folder.path() / "secret", "4711\n");
+  EXPECT_EQ(read_assignment(file).hidden->seed, 4711U);
+  EXPECT_EQ(read_assignment(file).hidden->show, HiddenShow::kRule);
+  write_file(folder.path() / "secret", "about 7");
+  EXPECT_EQ(user_error([&] { read_assignment(file); }),
+            (folder.path() / "secret").string() +
+                ": must hold one whole number, the seed of the hidden cases");
+}
+
+TEST(Assignment, HiddenMistakesAreNamed) {
+  EXPECT_EQ(user_error([] { parse_assignment(with_hidden(""), "a.toml"); }),
+            "a.toml:4: the key hidden.seed_file is missing");
+  EXPECT_EQ(user_error([] {
+              parse_assignment(with_hidden("seed_file = \"s\"\nshow = \"much\"\n"), "a.toml");
+            }),
+            "a.toml:6: hidden.show must be \"name\", \"rule\" or \"all\"");
+}
+
 TEST(Assignment, LeastOneHasTheStandardValues) {
   const Assignment a = parse_assignment(kLeast, "a.toml");
   EXPECT_EQ(a.seed, 7U);

@@ -31,6 +31,34 @@ TEST(CaseList, TwoCallsGiveTheSameBytes) {
   }
 }
 
+TEST(CaseList, HiddenCasesComeOnTopAndAreOthers) {
+  Assignment with_hidden = standard_rubric();
+  with_hidden.hidden = HiddenCases{"", 99, HiddenShow::kName};
+  for (const ExerciseRubric& rubric : with_hidden.exercises) {
+    const std::vector<Case>& handed_out = standard_cases(rubric.name);
+    const std::vector<Case> all =
+        make_cases(with_hidden, rubric, MESHGRADE_SOURCE_DIR "/meshes");
+    ASSERT_GT(all.size(), handed_out.size()) << rubric.name;
+    std::set<std::string> ids;
+    std::set<std::string> inputs;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_TRUE(ids.insert(all[i].id()).second) << all[i].id();
+      EXPECT_EQ(all[i].hidden, i >= handed_out.size());
+      const bool fresh = inputs.insert(all[i].group + all[i].input).second;
+      EXPECT_TRUE(fresh || !all[i].hidden) << all[i].id();
+      EXPECT_TRUE(all[i].hidden || all[i].id() == handed_out[i].id());
+    }
+  }
+}
+
+TEST(CaseList, WithoutTheirSeedThereAreNoHiddenCases) {
+  Assignment handed_out = standard_rubric();
+  handed_out.hidden = HiddenCases{"secret", std::nullopt, HiddenShow::kName};
+  const ExerciseRubric& flip = *handed_out.find("edge_flip");
+  EXPECT_EQ(make_cases(handed_out, flip, MESHGRADE_SOURCE_DIR "/meshes").size(),
+            standard_cases("edge_flip").size());
+}
+
 TEST(CaseList, AnotherSeedGivesOtherRandomCasesInEveryExercise) {
   Assignment other = standard_rubric();
   other.seed += 1;

@@ -6,7 +6,9 @@
 #include <regex>
 
 #include "grader/app/grading.h"
+#include "grader/base/errors.h"
 #include "grader/report/json_report.h"
+#include "grader/report/report_reader.h"
 #include "grader/report/terminal_report.h"
 #include "tests/support/scratch_files.h"
 #include "tests/support/standard_assignment.h"
@@ -122,6 +124,66 @@ TEST(WholeReport, NothingOfTheStudentsBreaksTheJson) {
   const auto& first = json.at("exercises").at(0).at("cases").at(0);
   EXPECT_NE(first.at("output").get<std::string>().find("\","), std::string::npos);
   EXPECT_FALSE(has_control_characters(first.dump()));
+}
+
+TEST(WholeReport, IsReadBackFromItsJson) {
+  const Submission hostile = hostile_submission();
+  for (const Report& report :
+       {Report{}, grade_submission(hostile, {"vertex_normal", "edge_flip"}),
+        grade_submission(folder_submission("tests/submissions/wrong/edge_split/one_side_only"),
+                         {"edge_split"})}) {
+    const Report back = read_report(to_json(report));
+    EXPECT_EQ(to_json(back), to_json(report));
+    EXPECT_EQ(to_terminal(back, {false, true}), to_terminal(report, {false, true}));
+  }
+}
+
+/// The reversed normals fail everywhere; the case of another seed is hidden.
+Report report_with_hidden_cases(HiddenShow show) {
+  Assignment assignment = standard_rubric();
+  assignment.hidden = HiddenCases{"", 4711, show};
+  const Submission submission =
+      submission_of({normal_file("  std::cout << \"I saw it\";\n  return Vector3D(1, 0, 0);",
+                                 "#include <iostream>")});
+  return grade(assignment, submission, test_home(), {"vertex_normal"}, [](const auto&) {});
+}
+
+TEST(WholeReport, OfHiddenCasesStudentsSeeWhatTheAssignmentAllows) {
+  for (const HiddenShow show : {HiddenShow::kName, HiddenShow::kRule, HiddenShow::kAll}) {
+    const Report whole = read_report(to_json(report_with_hidden_cases(show)));
+    const Report seen = student_view(whole);
+    std::size_t hidden = 0;
+    const auto& cases = seen.exercises.at(0).cases;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const CaseReport& before = whole.exercises[0].cases[i];
+      EXPECT_EQ(cases[i].verdict, before.verdict);
+      if (!cases[i].hidden || show == HiddenShow::kAll) {
+        EXPECT_EQ(cases[i].title, before.title);
+        EXPECT_EQ(cases[i].findings.size(), before.findings.size());
+        continue;
+      }
+      ++hidden;
+      EXPECT_EQ(cases[i].title, "a hidden case");
+      EXPECT_EQ(cases[i].output, "");
+      EXPECT_EQ(cases[i].findings.size(), show == HiddenShow::kRule ? 1U : 0U);
+      for (const FindingReport& finding : cases[i].findings)
+        EXPECT_EQ(finding.finding.actual + finding.finding.expected, "");
+    }
+    EXPECT_EQ(hidden > 0, show != HiddenShow::kAll);
+    EXPECT_EQ(schema_faults({to_json(whole), to_json(seen)}), "");
+    EXPECT_EQ(to_json(whole).find("4711"), std::string::npos) << "the seed must not be told";
+    EXPECT_EQ(seen.points, whole.points);
+  }
+}
+
+TEST(WholeReport, DamagedJsonIsRefused) {
+  const std::string whole = to_json(grade_submission(hostile_submission(), {"vertex_normal"}));
+  EXPECT_THROW(read_report(whole.substr(0, whole.size() / 2)), UserError);
+  EXPECT_THROW(read_report("{}"), UserError);
+  EXPECT_THROW(read_report(""), UserError);
+  std::string other = whole;
+  other.replace(other.find("meshgrade-report/1"), 18, "meshgrade-report/9");
+  EXPECT_THROW(read_report(other), UserError);
 }
 
 TEST(WholeReport, TerminalShowsNoControlCharactersOfTheStudents) {

@@ -1,0 +1,254 @@
+#include "grader/app/batch_command.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "grader/app/batch_progress.h"
+#include "grader/app/context.h"
+#include "grader/app/grader_identity.h"
+#include "grader/app/grading.h"
+#include "grader/base/digest.h"
+#include "grader/base/errors.h"
+#include "grader/base/process.h"
+#include "grader/base/safe_file.h"
+#include "grader/base/text.h"
+#include "grader/batch/batch.h"
+#include "grader/batch/class_results.h"
+#include "grader/batch/class_summary.h"
+#include "grader/exports/exports.h"
+#include "grader/report/terminal_report.h"
+#include "grader/submission/archive.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSomeUngradable = 1;
+constexpr int kGraderFailed = 3;
+constexpr int kInterrupted = 130;
+
+/// A class hands in more than a student does.
+constexpr ArchiveLimits kClassArchive{std::uint64_t{16} << 30U, std::uint64_t{1} << 30U,
+                                      2'000'000, 40};
+
+volatile std::sig_atomic_t interrupted = 0;
+
+struct BatchCommandOptions {
+  std::string submissions;
+  std::string results;
+  std::string assignment;
+  std::vector<std::string> exercises;
+  std::vector<std::string> only;
+  RosterOptions roster;
+  unsigned jobs = 0;
+  bool force = false;
+  bool list = false;
+};
+
+void list_roster(const Roster& roster) {
+  std::cout << "layout: " << roster.layout << "\n"
+            << plural(roster.hand_ins.size(), "hand-in") << ":\n";
+  for (const HandIn& hand_in : roster.hand_ins) {
+    std::vector<std::string> people;
+    for (const Person& p : hand_in.people) {
+      people.push_back(p.id + (p.name.empty() ? "" : " " + p.name) +
+                       (p.email.empty() ? "" : " <" + p.email + ">"));
+    }
+    std::vector<std::string> parts;
+    for (const Part& part : hand_in.parts)
+      parts.push_back(part.name);
+    std::cout << "  " << hand_in.key << "\n    for   " << printable(join(people, ", "))
+              << "\n    files " << printable(join(parts, ", ")) << "\n";
+    if (!hand_in.submitted_at.empty()) {
+      std::cout << "    at    " << printable(hand_in.submitted_at)
+                << (hand_in.late ? " (late)" : "") << "\n";
+    }
+  }
+  if (roster.left_out.empty()) return;
+  std::cout << "left out:\n";
+  for (const Omission& left : roster.left_out)
+    std::cout << "  " << left.what << ": " << left.why << "\n";
+}
+
+Grading grading_of(const Assignment& assignment, const BatchCommandOptions& options,
+                   const Home& home) {
+  Grading grading;
+  grading.rules = assignment.submission;
+  grading.grade = [&assignment, &options, home](const Submission& submission, unsigned) {
+    return grade(assignment, submission, home, options.exercises, [](const std::string&) {});
+  };
+  grading.to_text = [](const Report& report) { return to_terminal(student_view(report), {}); };
+  Digest identity;
+  identity.add(grader_identity(home))
+      .add(read_whole_file(or_standard_assignment(options.assignment)))
+      .add(join(options.exercises, ","))
+      .add(assignment.hidden ? std::to_string(assignment.hidden->seed.value_or(0)) : "");
+  grading.identity = identity.hex();
+  return grading;
+}
+
+void write_class_files(const ClassResults& results, const fs::path& folder) {
+  const ClassSummary summary = summarize(results, result_store(folder));
+  write_file_safely(folder / kClassFile, to_json(results));
+  write_file_safely(folder / "summary.json", to_json(summary));
+  write_file_safely(folder / "summary.txt", to_text(summary));
+  write_file_safely(folder / "grades.csv", find_class_export("csv")->write(results, {}).text);
+}
+
+std::size_t count_status(const ClassResults& results, ResultStatus status) {
+  return static_cast<std::size_t>(
+      std::count_if(results.rows.begin(), results.rows.end(),
+                    [&](const ClassRow& row) { return row.status == status; }));
+}
+
+/// Says what there is now, and what to do next.
+int conclude(const ClassResults& results, const BatchCommandOptions& options, bool complete) {
+  const std::size_t ungradable = count_status(results, ResultStatus::kUngradable);
+  const std::size_t errors = count_status(results, ResultStatus::kGraderError);
+  const std::size_t missing = count_status(results, ResultStatus::kMissing);
+  std::cout << count_status(results, ResultStatus::kGraded) << " of "
+            << plural(results.rows.size(), "hand-in") << " graded";
+  if (ungradable != 0) std::cout << ", " << ungradable << " ungradable";
+  if (errors != 0) std::cout << ", " << plural(errors, "grader error");
+  if (missing != 0) std::cout << ", " << missing << " not graded yet";
+  std::cout << "\nresults: " << options.results << "\n";
+  if (!results.left_out.empty()) {
+    std::cout << plural(results.left_out.size(), "thing") << " left out; --list shows why\n";
+  }
+  if (!complete) {
+    std::cout << "stopped; the same command goes on from here\n";
+    return kInterrupted;
+  }
+  if (errors != 0) return kGraderFailed;
+  return ungradable != 0 ? kSomeUngradable : 0;
+}
+
+void catch_interrupts() {
+  struct sigaction note {};
+  note.sa_handler = [](int) { interrupted = 1; };
+  ::sigaction(SIGINT, &note, nullptr);
+  ::sigaction(SIGTERM, &note, nullptr);
+}
+
+/// Else the results would be taken for somebody's work the next time.
+void refuse_results_inside(const fs::path& submissions, const fs::path& results) {
+  std::error_code error;
+  const fs::path way = fs::weakly_canonical(results, error)
+                           .lexically_relative(fs::weakly_canonical(submissions, error));
+  if (error || way.empty() || *way.begin() == "..") return;
+  throw UserError(results.string() + ": the results must not lie within what was handed in; " +
+                  "name a folder elsewhere");
+}
+
+/// What was handed in, as a folder: an archive is unpacked to `unpacked`.
+fs::path submissions_folder(const fs::path& given, std::optional<ScratchFolder>& unpacked,
+                            std::vector<Omission>& left_out) {
+  if (fs::is_directory(given) || !is_archive_name(given)) return given;
+  unpacked.emplace();
+  for (const std::string& note : unpack_archive(given, unpacked->path(), kClassArchive))
+    left_out.push_back({"from " + printable(given.filename().string()), note});
+  return unpacked->path();
+}
+
+int run(const BatchCommandOptions& options, const Assignment& assignment, const Roster& roster,
+        const BatchFolder& folder) {
+  const Grading grading = grading_of(assignment, options, find_home());
+  BatchOptions how;
+  how.jobs =
+      options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+  how.force = options.force;
+  how.chosen = choose_hand_ins(roster, options.only);
+  BatchProgress progress(roster, how.chosen.size(), ::isatty(STDERR_FILENO) != 0);
+  how.progress = [&](const BatchStep& step) { progress.show(step); };
+  how.stop = [] { return interrupted != 0; };
+  catch_interrupts();
+  const bool complete = run_batch(roster, grading, folder, how);
+  progress.finish();
+  const ClassResults results =
+      collect_results(roster, assignment, options.exercises, folder.store());
+  write_class_files(results, folder.path());
+  return conclude(results, options, complete);
+}
+
+/// A class must not be graded without the cases that it is to be graded by.
+void require_hidden_seed(const Assignment& assignment) {
+  if (!assignment.hidden || assignment.hidden->seed) return;
+  throw UserError(assignment.hidden->seed_file.string() +
+                  ": cannot be read; it holds the seed of the assignment's hidden cases");
+}
+
+int batch(const BatchCommandOptions& options) {
+  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
+  choose_exercises(assignment, options.exercises);
+  require_hidden_seed(assignment);
+  std::optional<BatchFolder> folder;
+  if (!options.list) {
+    if (options.results.empty()) throw UserError("name a folder for the results: -o RESULTS");
+    refuse_results_inside(options.submissions, options.results);
+    folder.emplace(options.results);
+  }
+  std::optional<ScratchFolder> unpacked;
+  std::vector<Omission> left_out;
+  Roster roster =
+      read_roster(submissions_folder(options.submissions, unpacked, left_out), options.roster);
+  roster.left_out.insert(roster.left_out.end(), left_out.begin(), left_out.end());
+  if (folder) return run(options, assignment, roster, *folder);
+  list_roster(roster);
+  return 0;
+}
+
+void add_options(CLI::App& command, BatchCommandOptions& options) {
+  std::vector<std::string> names;
+  for (const Layout& layout : layouts())
+    names.emplace_back(layout.name);
+  command
+      .add_option("submissions", options.submissions,
+                  "The folder or archive with what was handed in")
+      ->required();
+  command.add_option("-o,--output", options.results,
+                     "The folder for the results; nothing is written elsewhere");
+  command.add_option(
+      "--assignment", options.assignment,
+      "What is asked and what it is worth (TOML); the standard one if not given");
+  command.add_option("--exercise", options.exercises, "Only this exercise; may be repeated");
+  command.add_option(
+      "--layout", options.roster.layout,
+      "How the folder is arranged: " + join(names, ", ") + "; found out if not given");
+  command.add_option("--part", options.roster.assignment,
+                     "Which assignment, where the folder holds several (nbgrader)");
+  command.add_flag("--list", options.list,
+                   "Only show what is there, for whom, and what is left out and why");
+  command.add_option("--only", options.only,
+                     "Only the hand-in of this person; may be repeated");
+  command.add_flag("--force", options.force, "Grade again what has not changed");
+  command.add_option("-j,--jobs", options.jobs, "How many at a time; all cores if not given");
+}
+
+}  // namespace
+
+void add_batch_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<BatchCommandOptions>();
+  CLI::App* command = app.add_subcommand("batch", "Grade a whole class");
+  add_options(*command, *options);
+  command->footer(
+      "Examples:\n"
+      "  meshgrade batch submissions --list\n"
+      "  meshgrade batch submissions -o results\n"
+      "  meshgrade batch submissions -o results --only alice --force\n"
+      "Each result is stored as soon as it is there. However a batch is stopped, the same\n"
+      "command goes on where it was; what has not changed is not graded again.\n"
+      "Exit code: 0 all are graded, whatever their points, 1 some cannot be graded, 2 bad "
+      "usage\n"
+      "or unreadable input, 3 an error of the grader, 130 stopped.");
+  command->callback([options, &exit_code] { exit_code = batch(*options); });
+}
+
+}  // namespace meshgrade

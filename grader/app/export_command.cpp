@@ -1,0 +1,143 @@
+#include "grader/app/export_command.h"
+
+#include <CLI/CLI.hpp>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "grader/base/errors.h"
+#include "grader/base/safe_file.h"
+#include "grader/base/text.h"
+#include "grader/batch/batch.h"
+#include "grader/exports/exports.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportCommandOptions {
+  std::string results;
+  std::string format;
+  std::string output;
+  std::string gradebook;
+  ExportOptions how;
+  bool no_extra_credit = false;
+};
+
+/// "2026-01-31T12:00:00", in UTC
+std::string time_text(std::time_t time) {
+  std::tm parts{};
+  ::gmtime_r(&time, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &parts);
+  return text;
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw UserError(folder.string() + ": cannot be made: " + error.message());
+}
+
+void export_class(const ClassExport& format, const ClassResults& results,
+                  const ExportCommandOptions& options) {
+  const Exported exported = format.write(results, options.how);
+  fs::path file = options.output;
+  if (file.empty()) {
+    file = fs::path(options.results) / "exports" / format.file;
+    make_folder(file.parent_path());
+  }
+  write_file_safely(file, exported.text);
+  for (const std::string& note : exported.notes)
+    std::cerr << "note: " << printable(note) << "\n";
+  std::cout << "wrote " << file.string() << "\n";
+}
+
+/// One file for each student, in a folder of the format.
+void export_students(const StudentExport& format, const ClassResults& results,
+                     const ExportCommandOptions& options) {
+  const fs::path folder = options.output.empty()
+                              ? fs::path(options.results) / "exports" / format.name
+                              : fs::path(options.output);
+  const ResultStore store = result_store(options.results);
+  for (const ClassRow& row : results.rows) {
+    Result result = store.load(row.key);
+    if (result.report) result.report = student_view(std::move(*result.report));
+    const Report* report = result.report ? &*result.report : nullptr;
+    const fs::path own = folder / safe_file_name(row.key);
+    make_folder(own);
+    write_file_safely(own / format.file,
+                      format.write({row.key, result.status, result.reason, report},
+                                   options.how));
+  }
+  std::cout << "wrote " << plural(results.rows.size(), "file") << " to " << folder.string()
+            << "\n";
+}
+
+void run_export(ExportCommandOptions& options) {
+  const ClassExport* of_class = find_class_export(options.format);
+  const StudentExport* of_student = find_student_export(options.format);
+  if (of_class == nullptr && of_student == nullptr) {
+    throw UserError("there is no format \"" + options.format + "\"; there are " +
+                    join(export_names(), ", "));
+  }
+  const ClassResults results = load_class_results(options.results);
+  options.how.extra_credit = !options.no_extra_credit;
+  options.how.time = time_text(std::time(nullptr));
+  if (!options.gradebook.empty()) options.how.gradebook = read_whole_file(options.gradebook);
+  if (of_class != nullptr) {
+    export_class(*of_class, results, options);
+  } else {
+    export_students(*of_student, results, options);
+  }
+}
+
+std::string format_list() {
+  std::string text = "Formats for a class, one file:\n";
+  const auto line = [](const std::string& name, const std::string& title) {
+    return "  " + name + std::string(name.size() < 20 ? 20 - name.size() : 1, ' ') + title +
+           "\n";
+  };
+  for (const ClassExport& known : class_exports())
+    text += line(known.name, known.title);
+  text += "Formats with a file for each student:\n";
+  for (const StudentExport& known : student_exports())
+    text += line(known.name, known.title);
+  return text;
+}
+
+}  // namespace
+
+void add_export_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ExportCommandOptions>();
+  CLI::App* command =
+      app.add_subcommand("export", "Write the results of a batch for a gradebook");
+  command->add_option("results", options->results, "The folder of `meshgrade batch -o`")
+      ->required();
+  command->add_option("format", options->format, "One of those below")->required();
+  command->add_option("-o,--output", options->output,
+                      "The file, or the folder for the students' files; RESULTS/exports/... if "
+                      "not given");
+  command->add_option("--gradebook", options->gradebook,
+                      "The file downloaded from the platform, to be filled in");
+  command->add_option("--column", options->how.column,
+                      "The assignment's column in the gradebook");
+  command->add_option("--out-of", options->how.out_of,
+                      "What full points are worth there: all points are scaled to it");
+  command->add_flag("--no-extra-credit", options->no_extra_credit, "Leave out extra credit");
+  command->footer(
+      format_list() +
+      "Examples:\n"
+      "  meshgrade export results canvas --gradebook Grades.csv --column \"Homework 2\"\n"
+      "  meshgrade export results moodle --gradebook worksheet.csv -o upload.csv\n"
+      "  meshgrade export results gradescope\n"
+      "Exit code: 0, or 2 for bad usage or a gradebook of another form.");
+  command->callback([options, &exit_code] {
+    run_export(*options);
+    exit_code = 0;
+  });
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace meshgrade {
+
+/// Writes a whole file, or nothing: to a temporary name first, which is brought to the disk and
+/// then renamed. Whoever reads the file, even after a power cut, finds the old or the new text.
+/// @throws UserError if it cannot be written
+void write_file_safely(const std::filesystem::path& file, const std::string& text);
+
+/// The whole file.
+/// @throws UserError if it cannot be read
+std::string read_whole_file(const std::filesystem::path& file);
+
+}  // namespace meshgrade

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "grader/base/process.h"
+#include "grader/batch/result_store.h"
+#include "grader/roster/roster.h"
+
+namespace meshgrade {
+
+/// How a submission is graded, and what else the result depends on.
+struct Grading {
+  /// `slot` counts from 0 and tells submissions apart that are graded at the same time.
+  std::function<Report(const Submission& submission, unsigned slot)> grade;
+  std::function<std::string(const Report& report)> to_text;  ///< for people to read
+  SubmissionRules rules;
+  std::string identity;  ///< of grader and assignment: another one, another result
+};
+
+/// What came of one hand-in.
+struct BatchStep {
+  std::size_t hand_in = 0;  ///< index in the roster
+  ResultStatus status = ResultStatus::kMissing;
+  bool kept = false;  ///< from an earlier run: nothing has changed
+  double points = 0.0;
+  double max_points = 0.0;
+  std::string reason;  ///< why it is not graded, or why it is graded again
+};
+
+struct BatchOptions {
+  unsigned jobs = 1;
+  bool force = false;               ///< also what has not changed
+  std::vector<std::size_t> chosen;  ///< which hand-ins of the roster
+  std::function<void(const BatchStep&)> progress;
+  std::function<bool()> stop;  ///< whether to end early
+};
+
+/// The hand-ins of these keys, or of people with these ids; all of them for no names.
+/// @throws UserError if nobody is called like this
+std::vector<std::size_t> choose_hand_ins(const Roster& roster,
+                                         const std::vector<std::string>& names);
+
+/// The folder for all that a batch writes. As long as this value lives, no other batch writes
+/// to it, and everything temporary goes to a place within it, so that what a killed batch
+/// leaves behind is known to the next one, which clears it away.
+class BatchFolder {
+ public:
+  /// @throws UserError if it cannot be made, or another batch has it
+  explicit BatchFolder(std::filesystem::path folder);
+  BatchFolder(const BatchFolder&) = delete;
+  BatchFolder& operator=(const BatchFolder&) = delete;
+  ~BatchFolder();
+
+  const std::filesystem::path& path() const { return folder_; }
+  ResultStore store() const { return result_store(folder_); }
+
+ private:
+  void clear() const;
+
+  std::filesystem::path folder_;
+  FileDescriptor lock_;
+  std::string temporary_before_;
+};
+
+/// Grades the hand-ins of a class and stores each result as soon as it is there. What has not
+/// changed since an earlier run is kept. A hand-in whose grading dies becomes a "grader error"
+/// and takes no other with it.
+/// @return false if it was stopped before the end
+/// @throws UserError if the results cannot be written, or if the disk is about to be full
+bool run_batch(const Roster& roster, const Grading& grading, const BatchFolder& folder,
+               const BatchOptions& options);
+
+}  // namespace meshgrade

@@ -1,0 +1,74 @@
+#include "grader/exports/exports.h"
+
+#include <cmath>
+
+#include "grader/base/text.h"
+#include "grader/exports/formats/formats.h"
+
+namespace meshgrade {
+namespace {
+
+template <class Export>
+const Export* find_by_name(const std::vector<Export>& all, const std::string& name) {
+  for (const Export& known : all) {
+    if (known.name == name) return &known;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const std::vector<ClassExport>& class_exports() {
+  static const std::vector<ClassExport> all{
+      {"csv", "a table with a line for each person", "grades.csv", write_csv},
+      {"canvas", "a file to import in the gradebook of Canvas", "canvas.csv", write_canvas},
+      {"moodle", "Moodle's grading worksheet, filled in", "moodle.csv", write_moodle},
+  };
+  return all;
+}
+
+const std::vector<StudentExport>& student_exports() {
+  static const std::vector<StudentExport> all{
+      {"gradescope", "results.json of a Gradescope autograder", "results.json",
+       write_gradescope},
+      {"autolab", "what an Autolab autograder prints", "autolab.txt", write_autolab},
+      {"prairielearn", "results.json of a PrairieLearn grader", "results.json",
+       write_prairielearn},
+      {"github-annotations", "remarks for GitHub Actions, to be printed", "annotations.txt",
+       write_github_annotations},
+      {"github-result", "the `result` output of a GitHub Classroom grader", "result.txt",
+       write_github_result},
+      {"junit", "JUnit XML, for Jenkins, GitLab and CodeGrade", "junit.xml", write_junit},
+      {"markdown", "a page in Markdown, also for $GITHUB_STEP_SUMMARY", "report.md",
+       write_markdown},
+  };
+  return all;
+}
+
+const ClassExport* find_class_export(const std::string& name) {
+  return find_by_name(class_exports(), name);
+}
+
+const StudentExport* find_student_export(const std::string& name) {
+  return find_by_name(student_exports(), name);
+}
+
+std::vector<std::string> export_names() {
+  std::vector<std::string> names;
+  for (const ClassExport& known : class_exports())
+    names.emplace_back(known.name);
+  for (const StudentExport& known : student_exports())
+    names.emplace_back(known.name);
+  return names;
+}
+
+std::string points_to_enter(const ClassRow& row, const ClassResults& results,
+                            const ExportOptions& options) {
+  double points = row.points + (options.extra_credit ? row.extra_points : 0.0);
+  if (options.out_of > 0.0 && results.max_points > 0.0) {
+    points *= options.out_of / results.max_points;
+  }
+  return number_text(std::round(points * 100.0) / 100.0, 10);
+}
+
+}  // namespace meshgrade

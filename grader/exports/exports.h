@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/batch/class_results.h"
+
+namespace meshgrade {
+
+/// What the person at the keyboard says about an export.
+struct ExportOptions {
+  std::string gradebook;     ///< the bytes of the file downloaded from the platform; or empty
+  std::string column;        ///< the assignment's name in the gradebook; or empty
+  bool extra_credit = true;  ///< add the extra credit to the points
+  double out_of = 0.0;       ///< what full points are worth there; 0: the same as here
+  std::string time;          ///< "2026-01-31T12:00:00", for formats that need one
+};
+
+/// A file for a gradebook, and what to know before it is uploaded.
+struct Exported {
+  std::string text;
+  std::vector<std::string> notes;
+};
+
+/// A form in which the grades of a whole class are written to one file.
+struct ClassExport {
+  const char* name;   ///< "canvas"
+  const char* title;  ///< for --help
+  const char* file;   ///< the usual name of the file
+  /// @throws UserError if the gradebook is of another form
+  Exported (*write)(const ClassResults& results, const ExportOptions& options);
+};
+
+/// What is said to one student, or to a program about them.
+struct StudentResult {
+  std::string key;
+  ResultStatus status = ResultStatus::kMissing;
+  std::string reason;              ///< why there is no report
+  const Report* report = nullptr;  ///< as the student may see it; if it is graded
+};
+
+/// A form in which the result of one submission is written.
+struct StudentExport {
+  const char* name;   ///< "gradescope"
+  const char* title;  ///< for --help
+  const char* file;   ///< the usual name of the file: "results.json"
+  std::string (*write)(const StudentResult& result, const ExportOptions& options);
+};
+
+const std::vector<ClassExport>& class_exports();
+const std::vector<StudentExport>& student_exports();
+
+/// The export of this name, or nullptr.
+const ClassExport* find_class_export(const std::string& name);
+const StudentExport* find_student_export(const std::string& name);
+
+/// Their names, for messages.
+std::vector<std::string> export_names();
+
+/// The points to enter for a row; "87.5".
+std::string points_to_enter(const ClassRow& row, const ClassResults& results,
+                            const ExportOptions& options);
+
+}  // namespace meshgrade

@@ -1,0 +1,174 @@
+// Canvas's gradebook import. The first columns say who it is ("Student", "ID", then maybe "SIS
+// User ID", "SIS Login ID", ..., the last of them "Section"); assignments follow as "Title
+// (id)". An unknown title makes Canvas offer to create an assignment. An empty score changes
+// nothing. From a downloaded gradebook, only the columns of the students and of this one
+// assignment are written, so that no other grade can change.
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "grader/base/csv.h"
+#include "grader/base/errors.h"
+#include "grader/base/text.h"
+#include "grader/exports/formats/formats.h"
+
+namespace meshgrade {
+namespace {
+
+/// Rows by what a gradebook may know their people by.
+class RowsOfPeople {
+ public:
+  explicit RowsOfPeople(const ClassResults& results) {
+    for (const ClassRow& row : results.rows) {
+      for (const Person& person : row.people) {
+        people_.emplace(person.id, &row);
+        if (!person.email.empty()) people_.emplace(person.email, &row);
+      }
+    }
+  }
+
+  const ClassRow* find(const std::string& id) {
+    const auto found = people_.find(id);
+    if (id.empty() || found == people_.end()) return nullptr;
+    used_.insert(found->second);
+    return found->second;
+  }
+
+  bool was_used(const ClassRow& row) const { return used_.count(&row) != 0; }
+
+ private:
+  std::map<std::string, const ClassRow*> people_;
+  std::set<const ClassRow*> used_;
+};
+
+std::string text_at(const CsvRecord& record, std::size_t column) {
+  return column < record.size() ? record[column].text : std::string();
+}
+
+/// The column of the last information about the student: what follows are assignments.
+std::size_t find_section(const CsvRecord& header) {
+  const bool is_gradebook = header.size() > 2 &&
+                            header[0].text.find("Student") != std::string::npos &&
+                            header[1].text.find("ID") != std::string::npos;
+  for (std::size_t i = 2; is_gradebook && i < header.size(); ++i) {
+    if (header[i].text.find("Section") != std::string::npos) return i;
+  }
+  throw UserError(
+      "the gradebook is not one that Canvas exports: its first columns must be Student, ID, "
+      "..., Section; download it in Canvas under Grades, Export");
+}
+
+bool is_called(const std::string& column, const std::string& name) {
+  static const std::regex form("(.*) \\(([0-9]+)\\)");
+  std::smatch found;
+  if (column == name) return true;
+  return std::regex_match(column, found, form) && (found[1] == name || found[2] == name);
+}
+
+std::size_t find_column(const CsvRecord& header, std::size_t section, const std::string& name) {
+  static const std::regex assignment(".* \\([0-9]+\\)");
+  std::vector<std::size_t> found;
+  std::vector<std::string> names;
+  for (std::size_t i = section + 1; i < header.size(); ++i) {
+    if (!std::regex_match(header[i].text, assignment)) continue;
+    names.push_back("\"" + header[i].text + "\"");
+    if (name.empty() || is_called(header[i].text, name)) found.push_back(i);
+  }
+  if (found.size() == 1) return found[0];
+  throw UserError((found.empty() ? "the gradebook has no such assignment"
+                                 : "the gradebook has several assignments") +
+                  std::string(": choose one with --column, of ") +
+                  printable(join(names, ", ")));
+}
+
+/// Canvas writes rows that are no students: points possible, manual posting.
+bool is_student(const CsvRecord& record) {
+  return record.size() > 1 && !record[1].text.empty() &&
+         record[0].text.find("Points Possible") == std::string::npos;
+}
+
+class GradebookFilling {
+ public:
+  GradebookFilling(const ClassResults& results, const ExportOptions& options)
+      : results_(results), options_(options), rows_(results) {}
+
+  Exported run() {
+    const char separator = csv_separator(options_.gradebook);
+    const std::vector<CsvRecord> records = read_csv(options_.gradebook, separator);
+    if (records.empty()) throw UserError("the gradebook is empty");
+    const std::size_t section = find_section(records[0]);
+    const std::size_t column = find_column(records[0], section, options_.column);
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      std::vector<std::string> fields;
+      for (std::size_t j = 0; j <= section; ++j)
+        fields.push_back(csv_field(text_at(records[i], j), separator));
+      const bool other = i == 0 || !is_student(records[i]);
+      fields.push_back(csv_field(
+          other ? text_at(records[i], column) : score(records[i], records[0], section),
+          separator));
+      exported_.text += csv_line(fields, separator);
+    }
+    note_the_others();
+    return std::move(exported_);
+  }
+
+ private:
+  /// Canvas itself looks for the ID first, then for the ids of the school.
+  std::string score(const CsvRecord& record, const CsvRecord& header, std::size_t section) {
+    const ClassRow* row = rows_.find(record[1].text);
+    for (std::size_t j = 2; row == nullptr && j < section; ++j) {
+      if (header[j].text.rfind("SIS", 0) == 0) row = rows_.find(text_at(record, j));
+    }
+    return row == nullptr || !row->has_points() ? ""
+                                                : points_to_enter(*row, results_, options_);
+  }
+
+  void note_the_others() {
+    for (const ClassRow& row : results_.rows) {
+      if (!rows_.was_used(row)) {
+        exported_.notes.push_back(row.key + " is not in the gradebook: no grade is written");
+      } else if (!row.has_points()) {
+        exported_.notes.push_back(row.key + " has no grade (" + status_name(row.status) +
+                                  "): the score is left empty");
+      }
+    }
+  }
+
+  const ClassResults& results_;
+  const ExportOptions& options_;
+  RowsOfPeople rows_;
+  Exported exported_;
+};
+
+/// A file of our own, where there is no gradebook to begin with.
+Exported write_without_gradebook(const ClassResults& results, const ExportOptions& options) {
+  Exported exported;
+  const bool ids_are_of_canvas = results.layout == "canvas";
+  const std::string column = options.column.empty() ? results.assignment : options.column;
+  exported.text =
+      csv_line({"Student", "ID", "SIS User ID", "SIS Login ID", "Section", csv_text(column)});
+  for (const ClassRow& row : results.rows) {
+    for (const Person& person : row.people) {
+      const std::string id = csv_text(person.id);
+      exported.text +=
+          csv_line({csv_text(person.name.empty() ? person.id : person.name),
+                    ids_are_of_canvas ? id : "", "", ids_are_of_canvas ? "" : id, "",
+                    row.has_points() ? points_to_enter(row, results, options) : ""});
+    }
+  }
+  exported.notes.push_back(
+      "Canvas offers to create an assignment \"" + printable(column) +
+      "\" unless one is called like this; with --gradebook the right column is found");
+  return exported;
+}
+
+}  // namespace
+
+Exported write_canvas(const ClassResults& results, const ExportOptions& options) {
+  if (options.gradebook.empty()) return write_without_gradebook(results, options);
+  return GradebookFilling(results, options).run();
+}
+
+}  // namespace meshgrade

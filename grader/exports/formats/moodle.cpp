@@ -1,0 +1,159 @@
+// Moodle's grading worksheet ("offline grading worksheet" of an assignment). Moodle takes back
+// only a worksheet with its own columns, in the language of the person who downloaded it, and
+// passes over a grade that is above the maximum. So the downloaded file is filled in: every
+// byte but those of the grades stays. The first column holds "Participant <id>" in some
+// language.
+
+#include <cmath>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "grader/base/csv.h"
+#include "grader/base/errors.h"
+#include "grader/base/text.h"
+#include "grader/exports/formats/formats.h"
+
+namespace meshgrade {
+namespace {
+
+constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+std::size_t find_column(const CsvRecord& header, const std::string& name) {
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (header[i].text == name) return i;
+  }
+  return kNone;
+}
+
+/// "4711" of "Participant 4711"; empty if it is something else.
+std::string participant(const std::string& identifier) {
+  static const std::regex form(".*?([0-9]+)");
+  std::smatch found;
+  return std::regex_match(identifier, found, form) ? found[1].str() : std::string();
+}
+
+/// The number of a text with a point or a comma; not a number for any other text.
+double to_number(std::string text) {
+  static const std::regex form("[0-9]+([.,][0-9]+)?");
+  if (!std::regex_match(text, form)) return std::nan("");
+  const std::size_t comma = text.find(',');
+  if (comma != std::string::npos) text[comma] = '.';
+  return std::stod(text);
+}
+
+class WorksheetFilling {
+ public:
+  WorksheetFilling(const ClassResults& results, const ExportOptions& options)
+      : results_(results), options_(options), sheet_(options.gradebook) {
+    separator_ = csv_separator(sheet_);
+    records_ = read_csv(sheet_, separator_);
+    for (const ClassRow& row : results.rows) {
+      for (const Person& person : row.people)
+        people_[person.id] = &row;
+    }
+  }
+
+  Exported run() {
+    find_columns();
+    std::size_t done = 0;
+    for (std::size_t i = 1; i < records_.size(); ++i) {
+      const CsvRecord& record = records_[i];
+      if (record.size() <= grade_) continue;
+      const std::string grade = grade_for(record);
+      if (grade.empty()) continue;
+      exported_.text += sheet_.substr(done, record[grade_].begin - done);
+      exported_.text += csv_field(grade, separator_);
+      done = record[grade_].end;
+    }
+    exported_.text += sheet_.substr(done);
+    note_the_others();
+    return std::move(exported_);
+  }
+
+ private:
+  void find_columns() {
+    if (records_.size() < 2 || records_[0].size() < 3 ||
+        participant(records_[1][0].text).empty()) {
+      throw UserError(
+          "this is no grading worksheet of Moodle: its first column must hold participants; "
+          "download it in the assignment under \"Download grading worksheet\"");
+    }
+    grade_ = find_column(records_[0], options_.column.empty() ? "Grade" : options_.column);
+    if (grade_ == kNone) {
+      std::vector<std::string> names;
+      for (const CsvField& field : records_[0])
+        names.push_back("\"" + printable(field.text) + "\"");
+      throw UserError("the worksheet has no column \"" +
+                      (options_.column.empty() ? "Grade" : printable(options_.column)) +
+                      "\"; say with --column which one holds the grade, of " +
+                      join(names, ", "));
+    }
+    maximum_ = find_column(records_[0], "Maximum Grade");
+    if (maximum_ == kNone && grade_ + 1 < records_[0].size()) maximum_ = grade_ + 1;
+    for (const CsvRecord& record : records_) {
+      for (const std::size_t column : {grade_, maximum_}) {
+        const bool is_number =
+            column < record.size() && !std::isnan(to_number(record[column].text));
+        comma_ = comma_ || (is_number && record[column].text.find(',') != std::string::npos);
+      }
+    }
+  }
+
+  /// What to write into this record; empty to leave it as it is.
+  std::string grade_for(const CsvRecord& record) {
+    const auto found = people_.find(participant(record[0].text));
+    if (found == people_.end()) return {};
+    const ClassRow& row = *found->second;
+    used_.insert(&row);
+    if (!row.has_points()) return {};
+    std::string points = points_to_enter(row, results_, options_);
+    const double most =
+        maximum_ < record.size() ? to_number(record[maximum_].text) : std::nan("");
+    if (std::stod(points) > most) {
+      exported_.notes.push_back(row.key + " has " + points + " points, but the maximum in " +
+                                "Moodle is " + number_text(most, 10) +
+                                ": Moodle will pass over it; scale with --out-of " +
+                                number_text(most, 10) + " or leave out extra credit");
+    }
+    const std::size_t point = points.find('.');
+    if (comma_ && point != std::string::npos) points[point] = ',';
+    return points;
+  }
+
+  void note_the_others() {
+    for (const ClassRow& row : results_.rows) {
+      if (used_.count(&row) == 0) {
+        exported_.notes.push_back(row.key + " is not in the worksheet: no grade is written");
+      } else if (!row.has_points()) {
+        exported_.notes.push_back(row.key + " has no grade (" + status_name(row.status) +
+                                  "): the worksheet keeps what it has");
+      }
+    }
+  }
+
+  const ClassResults& results_;
+  const ExportOptions& options_;
+  const std::string& sheet_;
+  char separator_ = ',';
+  std::vector<CsvRecord> records_;
+  std::map<std::string, const ClassRow*> people_;
+  std::set<const ClassRow*> used_;
+  std::size_t grade_ = kNone;
+  std::size_t maximum_ = kNone;
+  bool comma_ = false;  ///< decimal comma
+  Exported exported_;
+};
+
+}  // namespace
+
+Exported write_moodle(const ClassResults& results, const ExportOptions& options) {
+  if (options.gradebook.empty()) {
+    throw UserError(
+        "Moodle takes only its own worksheet: name the downloaded one with "
+        "--gradebook worksheet.csv");
+  }
+  return WorksheetFilling(results, options).run();
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,89 @@
+// Canvas, "Download Submissions": a flat folder of <name>[_LATE]_<user id>_<file id>_<file>.
+// The name is that of the gradebook ("Last, First") in lower case without anything but letters;
+// with anonymous grading it is [LATE_]anon_<id>_<file id>_<file>. A text that was typed in ends
+// in _text.html, a link in _link.html.
+
+#include <optional>
+#include <regex>
+
+#include "grader/roster/layouts/layouts.h"
+#include "grader/roster/listing.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CanvasName {
+  std::string student;
+  std::string id;
+  std::string file;
+  bool late = false;
+};
+
+std::optional<CanvasName> parse(const std::string& name) {
+  static const std::regex anonymous("(LATE_)?anon_(LATE_)?([A-Za-z0-9]+)_([0-9]+)_(.+)");
+  static const std::regex named("(.*?)(_LATE)?_([0-9]+)_([0-9]+)_(.+)");
+  static const std::regex typed("(.*?)(_LATE)?_([0-9]+)_(text|link)\\.html");
+  std::smatch found;
+  if (std::regex_match(name, found, anonymous)) {
+    return CanvasName{"anon", found[3], found[5], found[1].matched || found[2].matched};
+  }
+  if (std::regex_match(name, found, named)) {
+    return CanvasName{found[1], found[3], found[5], found[2].matched};
+  }
+  if (std::regex_match(name, found, typed)) {
+    return CanvasName{found[1], found[3], found[4].str() + ".html", found[2].matched};
+  }
+  return std::nullopt;
+}
+
+bool is_canvas_name(const std::string& name) {
+  return parse(name).has_value();
+}
+
+bool recognise(const fs::path& folder) {
+  return most_names_match(folder, is_canvas_name);
+}
+
+/// Canvas puts -1, -2 before the ending of a file that is handed in again.
+std::string without_count(const std::string& file) {
+  static const std::regex counted("(.+)-[0-9]{1,3}(\\.[A-Za-z0-9.]+)");
+  return std::regex_replace(file, counted, "$1$2");
+}
+
+/// The count goes where that leaves all names of the hand-in different.
+void drop_counts(HandIn& hand_in) {
+  for (Part& part : hand_in.parts) {
+    const std::string name = without_count(part.name);
+    bool taken = false;
+    for (const Part& other : hand_in.parts)
+      taken = taken || (&other != &part && without_count(other.name) == name);
+    if (!taken) part.name = name;
+  }
+}
+
+void read(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
+  for (const fs::path& entry : entries_of(folder)) {
+    const std::string name = entry.filename().string();
+    const auto parsed = parse(name);
+    if (!parsed || !is_real_file(entry)) {
+      roster.left_out.push_back({name, "its name is not one that Canvas gives"});
+      continue;
+    }
+    HandIn& hand_in = find_or_add(roster, parsed->student + "_" + parsed->id,
+                                  {parsed->id, parsed->student, ""});
+    hand_in.late = hand_in.late || parsed->late;
+    hand_in.parts.push_back({entry, parsed->file});
+  }
+  for (HandIn& hand_in : roster.hand_ins)
+    drop_counts(hand_in);
+}
+
+}  // namespace
+
+Layout canvas_layout() {
+  return {"canvas", "the submissions of a Canvas assignment", recognise, read};
+}
+
+}  // namespace meshgrade
