@@ -178,13 +178,6 @@ int run(const BatchCommandOptions& options, const Assignment& assignment, const 
   return conclude(results, options, complete);
 }
 
-/// A class must not be graded without the cases that it is to be graded by.
-void require_hidden_seed(const Assignment& assignment) {
-  if (!assignment.hidden || assignment.hidden->seed) return;
-  throw UserError(assignment.hidden->seed_file.string() +
-                  ": cannot be read; it holds the seed of the assignment's hidden cases");
-}
-
 int batch(const BatchCommandOptions& options) {
   const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
   choose_exercises(assignment, options.exercises);

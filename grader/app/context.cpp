@@ -1,5 +1,7 @@
 #include "grader/app/context.h"
 
+#include "grader/base/errors.h"
+
 namespace meshgrade {
 
 std::filesystem::path source_folder() {
@@ -24,6 +26,12 @@ std::filesystem::path standard_assignment() {
 
 std::filesystem::path or_standard_assignment(const std::string& file) {
   return file.empty() ? standard_assignment() : std::filesystem::path(file);
+}
+
+void require_hidden_seed(const Assignment& assignment) {
+  if (!assignment.hidden || assignment.hidden->seed) return;
+  throw UserError(assignment.hidden->seed_file.string() +
+                  ": cannot be read; it holds the seed of the assignment's hidden cases");
 }
 
 }  // namespace meshgrade

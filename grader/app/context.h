@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "grader/assignment/assignment.h"
 #include "grader/build/home.h"
 
 namespace meshgrade {
@@ -18,5 +19,9 @@ std::filesystem::path standard_assignment();
 
 /// The file that was named, or the standard assignment.
 std::filesystem::path or_standard_assignment(const std::string& file);
+
+/// What counts must not be graded without the cases that it is to be graded by.
+/// @throws UserError if the assignment has hidden cases whose seed is not there
+void require_hidden_seed(const Assignment& assignment);
 
 }  // namespace meshgrade

@@ -2,7 +2,9 @@
 #include <exception>
 #include <iostream>
 
+#include "grader/app/autograde_command.h"
 #include "grader/app/batch_command.h"
+#include "grader/app/bundle_command.h"
 #include "grader/app/check_command.h"
 #include "grader/app/dev_check_command.h"
 #include "grader/app/diff_command.h"
@@ -37,6 +39,8 @@ int run(int argc, char** argv) {
   meshgrade::add_list_command(app, exit_code);
   meshgrade::add_subdivide_command(app, exit_code);
   meshgrade::add_mesh_info_command(app, exit_code);
+  meshgrade::add_autograde_command(app, exit_code);
+  meshgrade::add_bundle_command(app, exit_code);
   meshgrade::add_handout_command(app, exit_code);
   meshgrade::add_dev_check_command(app, exit_code);
   app.footer(
