@@ -70,6 +70,7 @@ Json to_value(const CaseReport& report) {
              {"output", report.output},
              {"output_bytes", report.output_bytes}};
   if (!report.shrunk_from.empty()) value["shrunk_from"] = report.shrunk_from;
+  if (!report.figure.empty()) value["figure"] = report.figure;
   value["findings"] = Json::array();
   for (const FindingReport& finding : report.findings) {
     value["findings"].push_back(to_value(finding));

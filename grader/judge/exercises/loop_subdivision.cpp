@@ -105,7 +105,7 @@ class LevelsJudge {
       const auto mesh = from_wire<MeshDump>(steps[i]);
       Level level = refine(meshes);
       level.surface = to_surface(level.by_variant.begin()->second);
-      if (!keeps_rules(mesh) || !has_counts(level, mesh) ||
+      if (!keeps_rules(mesh) || !has_counts(level, old_to_mine, mesh) ||
           !has_surface(level, old_to_mine, mesh) || !has_positions(level, mesh)) {
         return;
       }
@@ -142,7 +142,8 @@ class LevelsJudge {
     return false;
   }
 
-  bool has_counts(const Level& level, const MeshDump& mesh) {
+  bool has_counts(const Level& level, const std::vector<Ref>& old_to_mine,
+                  const MeshDump& mesh) {
     const Counts want = count(level.surface);
     const Counts have = count(mesh);
     if (want == have) return true;
@@ -155,7 +156,22 @@ class LevelsJudge {
     if (have.faces > want.faces) advice += ": some edges that are new are split again";
     report("counts", "every triangle becomes four: each old edge gets one new vertex",
            "the mesh", text(want), text(have), advice);
+    show_valences(level, old_to_mine, mesh);
     return false;
+  }
+
+  /// A picture of the mesh with the old vertices that have a wrong number of edges.
+  void show_valences(const Level& level, const std::vector<Ref>& old_to_mine,
+                     const MeshDump& mesh) {
+    if (!task_.explain) return;
+    std::vector<std::size_t> want(mesh.vertices.size(), 0);
+    const std::vector<std::size_t> right = valences(level.surface);
+    for (std::size_t v = 0; v < level.origins.size(); ++v) {
+      const Origin& origin = level.origins[v];
+      if (origin.is_old() && old_to_mine[origin.a] < want.size())
+        want[old_to_mine[origin.a]] = right[v];
+    }
+    judgement_.findings.back().surface = figure_of_connectivity(mesh, want);
   }
 
   /// Half-edges of `mesh` that may be the one of the expected surface: first those that leave
@@ -211,6 +227,7 @@ class LevelsJudge {
       return true;
     }
     report_other_surface(level, old_to_mine, mesh);
+    show_valences(level, old_to_mine, mesh);
     if (task_.explain) {
       judgement_.findings.back().likely = recognize_connectivity(before_, mesh);
     }
@@ -279,6 +296,8 @@ class LevelsJudge {
     report_position(level, actual, size, best, best_name);
     if (task_.explain) {
       judgement_.findings.back().likely = likely_positions(level, actual, size);
+      judgement_.findings.back().surface = figure_of_positions(
+          mesh, match_, level.by_variant.at(best_name).positions, task_.tolerance * size, size);
     }
     return false;
   }

@@ -1,0 +1,246 @@
+#include "grader/report/surface_svg.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "grader/base/text.h"
+#include "grader/judge/normals.h"
+#include "grader/report/label_boxes.h"
+#include "grader/report/list_column.h"
+#include "meshedit/vector3d.h"
+
+namespace meshgrade {
+namespace {
+
+using meshedit::Vector3D;
+
+constexpr double kSide = 440.0;
+constexpr double kMargin = 14.0;
+constexpr double kTitleHeight = 28.0;
+constexpr double kTilt = 0.6;  // off the normal, so that an error along it can be seen
+constexpr double kTagSize = 12.0;
+constexpr std::size_t kMostTags = 6;
+constexpr std::size_t kMostListed = 10;
+
+Vector3D vector_of(const Point3& p) {
+  return {p[0], p[1], p[2]};
+}
+
+bool is_finite(const Vector3D& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The view from one side, without perspective.
+class View {
+ public:
+  /// @param towards  the direction from the surface to the eye
+  View(const Vector3D& towards, const std::vector<Point3>& fit) : towards_(towards) {
+    const Vector3D up =
+        std::fabs(towards.y) < 0.9 ? Vector3D(0.0, 1.0, 0.0) : Vector3D(0.0, 0.0, 1.0);
+    right_ = cross(up, towards).unit();
+    up_ = cross(towards, right_);
+    Box box{INFINITY, INFINITY, -INFINITY, -INFINITY};
+    for (const Point3& p : fit) {
+      const Spot s = on_screen(vector_of(p));
+      box = {std::min(box.x0, s.x), std::min(box.y0, s.y), std::max(box.x1, s.x),
+             std::max(box.y1, s.y)};
+    }
+    const double size = std::max(box.x1 - box.x0, box.y1 - box.y0);
+    scale_ = size > 0.0 && std::isfinite(size) ? 0.8 * kSide / size : 1.0;
+    middle_ = {0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
+  }
+
+  /// Around the middle of the panel; what is far outside is brought near its border.
+  Spot project(const Point3& p) const {
+    const Spot s = scale_ * (on_screen(vector_of(p)) - middle_);
+    const auto near = [](double x) {
+      return std::isfinite(x) ? std::clamp(x, -2.0 * kSide, 2.0 * kSide) : 0.0;
+    };
+    return {near(s.x), near(s.y)};
+  }
+  double depth(const Point3& p) const { return dot(vector_of(p), towards_); }
+  const Vector3D& towards() const { return towards_; }
+
+ private:
+  Spot on_screen(const Vector3D& v) const { return {dot(v, right_), -dot(v, up_)}; }
+
+  Vector3D towards_;
+  Vector3D right_;
+  Vector3D up_;
+  double scale_ = 1.0;
+  Spot middle_;
+};
+
+std::vector<Point3> normals_of(const SurfaceFigure& figure, const std::vector<Point3>& points) {
+  PolygonMesh mesh{points, {}};
+  for (const auto& t : figure.triangles)
+    mesh.polygons.push_back({t[0], t[1], t[2]});
+  return vertex_normals(mesh, NormalWeight::kArea);
+}
+
+View choose_view(const SurfaceFigure& figure) {
+  const std::vector<Point3>& shape = figure.expected.empty() ? figure.yours : figure.expected;
+  const std::size_t front = figure.marks.empty() ? 0 : figure.marks[0].vertex;
+  Vector3D normal = vector_of(normals_of(figure, shape)[front]);
+  if (!is_finite(normal)) normal = {0.0, 0.0, 1.0};
+  const Vector3D other =
+      std::fabs(normal.y) < 0.9 ? Vector3D(0.0, 1.0, 0.0) : Vector3D(0.0, 0.0, 1.0);
+  const Vector3D aside = cross(normal, other).unit();
+  const Vector3D above = cross(aside, normal);
+  const Vector3D towards =
+      std::cos(kTilt) * normal + std::sin(kTilt) * (0.6 * aside + 0.8 * above);
+  return {towards.unit(), shape};
+}
+
+/// The surface once more, with other positions.
+class SurfacePanel {
+ public:
+  SurfacePanel(const SvgPen& pen, const SurfaceFigure& figure, const View& view,
+               const std::vector<Point3>& points)
+      : pen_(pen),
+        figure_(figure),
+        view_(view),
+        points_(points),
+        normals_(normals_of(figure, points)),
+        labels_(kFrame) {}
+
+  void draw_triangles() const {
+    const SvgPen pen = pen_.clipped_group("surface", kFrame);
+    std::vector<std::size_t> order(figure_.triangles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<double> depth;
+    for (const auto& t : figure_.triangles) {
+      depth.push_back(view_.depth(points_[t[0]]) + view_.depth(points_[t[1]]) +
+                      view_.depth(points_[t[2]]));
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return depth[i] < depth[j]; });
+    for (std::size_t i : order)
+      draw_triangle(pen, figure_.triangles[i]);
+  }
+
+  void draw_marks(const char* color, bool ringed) {
+    const SvgPen pen = pen_.group(ringed ? "marks wrong" : "marks right");
+    const SvgPen dots = pen.clipped_group("dots", kFrame);
+    for (const SurfaceMark& mark : figure_.marks) {
+      const bool hidden = is_hidden(mark.vertex);
+      dots.circle(spot(mark.vertex), hidden ? 2.2 : 3.0, hidden ? "none" : color,
+                  {color, hidden ? 1.0 : 0.0});
+    }
+    for (std::size_t i = 0; i < std::min(figure_.marks.size(), kMostTags); ++i)
+      draw_tag(pen, i, color, ringed);
+  }
+
+  /// From where the worst vertices are to where they must be.
+  void draw_ways(const std::vector<Point3>& expected) const {
+    const SvgPen pen = pen_.clipped_group("ways", kFrame);
+    for (std::size_t i = 0; i < std::min(figure_.marks.size(), kMostTags); ++i) {
+      const Spot from = spot(figure_.marks[i].vertex);
+      const Spot to = view_.project(expected[figure_.marks[i].vertex]);
+      if (length(to - from) < 8.0) continue;
+      pen.line(from, to, {ink::kRight, 1.8, "4 3"});
+      pen.arrowhead(to, to - from, 9.0, ink::kRight);
+    }
+  }
+
+ private:
+  static constexpr Box kFrame{-0.5 * kSide, -0.5 * kSide, 0.5 * kSide, 0.5 * kSide};
+
+  Spot spot(std::uint32_t vertex) const { return view_.project(points_[vertex]); }
+
+  bool is_hidden(std::uint32_t vertex) const {
+    return dot(vector_of(normals_[vertex]), view_.towards()) < 0.0;
+  }
+
+  void draw_triangle(const SvgPen& pen, const std::array<std::uint32_t, 3>& t) const {
+    constexpr const char* kShades[] = {"#c3cdd6", "#d3dbe2", "#e1e7ec", "#edf1f4", "#f8fafb"};
+    const Vector3D p = vector_of(points_[t[0]]);
+    const Vector3D across =
+        cross(vector_of(points_[t[1]]) - p, vector_of(points_[t[2]]) - p).unit();
+    const double facing = is_finite(across) ? dot(across, view_.towards()) : 0.0;
+    const auto shade = facing <= 0.0 ? 0 : static_cast<std::size_t>(1.0 + 3.0 * facing);
+    pen.polygon({spot(t[0]), spot(t[1]), spot(t[2])}, kShades[std::min<std::size_t>(shade, 4)],
+                {"#8796a4", 0.7});
+  }
+
+  void draw_tag(const SvgPen& pen, std::size_t i, const char* color, bool ringed) {
+    const SurfaceMark& mark = figure_.marks[i];
+    const std::string text = std::to_string(i + 1) + " " + mark.name;
+    const double width = text_width(text, kTagSize) + 10.0;
+    const Spot at = spot(mark.vertex);
+    std::vector<Spot> wanted;
+    for (Spot way : {Spot{0.0, -24.0}, Spot{0.0, 24.0}, Spot{46.0, -10.0}, Spot{-46.0, -10.0}})
+      wanted.push_back(at + way);
+    const Spot place = labels_.place(wanted, width, 17.0);
+    const SvgPen group = pen.group("tag");
+    group.tooltip(mark.name + ": " + mark.text);
+    group.line(at, place, {color, 1.2});
+    if (ringed) {
+      group.circle(at, 7.0, "none", {color, 2.0, is_hidden(mark.vertex) ? "3 2" : ""});
+    }
+    group.box(box_around(place, width, 17.0), 4.0, color, {ink::kPaper, 1.0});
+    group.text(place, text, {kTagSize, ink::kPaper, true});
+  }
+
+  SvgPen pen_;
+  const SurfaceFigure& figure_;
+  const View& view_;
+  const std::vector<Point3>& points_;
+  std::vector<Point3> normals_;
+  LabelBoxes labels_;
+};
+
+SvgPen panel_pen(const SvgPen& pen, int number, const char* css_class, const std::string& title,
+                 const char* color) {
+  const Spot origin{kMargin + (number + 0.5) * kSide + number * kMargin,
+                    kTitleHeight + 0.5 * kSide};
+  const SvgPen panel = pen.moved_group(css_class, origin);
+  panel.text({0.0, -0.5 * (kSide + kTitleHeight)}, title,
+             {16.0, color, true, Anchor::kMiddle, false});
+  return panel;
+}
+
+void list_marks(ListColumn& column, const SurfaceFigure& figure) {
+  if (!figure.marks.empty()) column.heading("The worst first:");
+  for (std::size_t i = 0; i < std::min(figure.marks.size(), kMostListed); ++i) {
+    column.numbered(i + 1, figure.marks[i].name + ": " + figure.marks[i].text);
+  }
+  if (figure.marks.size() > kMostListed) {
+    column.sentence("and " + std::to_string(figure.marks.size() - kMostListed) + " more");
+  }
+  column.quiet("Every wrong vertex has a dot; on the far side of the mesh it is hollow.");
+  if (figure.left_out > 0) {
+    column.quiet("Only what lies around the worst vertex is shown: " +
+                 plural(figure.left_out, "triangle") + " left out.");
+  }
+}
+
+}  // namespace
+
+Spot draw_surface(const SvgPen& pen, const SurfaceFigure& figure) {
+  const View view = choose_view(figure);
+  const SvgPen yours = panel_pen(
+      pen, 0, "panel yours",
+      "yours" + (figure.marks.empty()
+                     ? ""
+                     : ": " + std::to_string(figure.marks.size()) + " of " +
+                           std::to_string(figure.yours.size()) + " vertices are wrong"),
+      ink::kWrong);
+  SurfacePanel panel(yours, figure, view, figure.yours);
+  panel.draw_triangles();
+  if (!figure.expected.empty()) {
+    panel.draw_ways(figure.expected);
+    SurfacePanel right(panel_pen(pen, 1, "panel expected", "expected", ink::kRight), figure,
+                       view, figure.expected);
+    right.draw_triangles();
+    right.draw_marks(ink::kRight, false);
+  }
+  panel.draw_marks(ink::kWrong, true);
+  const double width = 2.0 * kSide + 3.0 * kMargin;
+  ListColumn column(pen.group("list"), {kMargin, kTitleHeight + kSide + 6.0}, width);
+  list_marks(column, figure);
+  return {width, column.bottom() + kMargin};
+}
+
+}  // namespace meshgrade
