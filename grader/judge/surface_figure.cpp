@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "grader/base/text.h"
 #include "grader/judge/point_compare.h"
@@ -10,125 +9,123 @@
 namespace meshgrade {
 namespace {
 
-/// A picture of more triangles shows none of them.
+/// A picture of more triangles than these shows none of them.
 constexpr std::size_t kMostTriangles = 1200;
+constexpr std::uint32_t kUnused = UINT32_MAX;
 
-using Triangle = std::array<std::uint32_t, 3>;
-
-std::vector<Triangle> triangles_of(const MeshDump& mesh) {
-  std::vector<Triangle> triangles;
+TriangleSurface surface_of(const MeshDump& mesh) {
+  TriangleSurface surface;
   for (const FaceRecord& face : mesh.faces) {
     if (face.live == 0) continue;
     const HalfedgeRecord& x = mesh.halfedges[face.halfedge];
     const HalfedgeRecord& y = mesh.halfedges[x.next];
-    triangles.push_back({x.vertex, y.vertex, mesh.halfedges[y.next].vertex});
+    surface.triangles.push_back({x.vertex, y.vertex, mesh.halfedges[y.next].vertex});
   }
-  return triangles;
-}
-
-std::vector<Point3> positions_of(const MeshDump& mesh) {
-  std::vector<Point3> positions;
   for (const VertexRecord& v : mesh.vertices)
-    positions.push_back(v.position);
-  return positions;
+    surface.positions.push_back(v.position);
+  return surface;
 }
 
-/// Keeps the triangles that are nearest to a point, in their order.
-void keep_nearest(SurfaceFigure& figure, const Point3& centre) {
-  if (figure.triangles.size() <= kMostTriangles) return;
+/// Keeps the triangles that are nearest to a point, in their order. @return how many go
+std::size_t keep_nearest(TriangleSurface& surface, const Point3& centre) {
+  if (surface.triangles.size() <= kMostTriangles) return 0;
   std::vector<std::pair<double, std::size_t>> ranked;
-  for (std::size_t i = 0; i < figure.triangles.size(); ++i) {
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     double off = 0.0;
-    for (std::uint32_t v : figure.triangles[i])
-      off = std::max(off, distance(figure.yours[v], centre));
+    for (std::uint32_t v : surface.triangles[i])
+      off = std::max(off, distance(surface.positions[v], centre));
     ranked.emplace_back(off, i);
   }
   std::nth_element(ranked.begin(), ranked.begin() + kMostTriangles, ranked.end());
   ranked.resize(kMostTriangles);
   std::sort(ranked.begin(), ranked.end(),
             [](const auto& a, const auto& b) { return a.second < b.second; });
-  figure.left_out = figure.triangles.size() - kMostTriangles;
-  std::vector<Triangle> kept;
+  std::vector<std::array<std::uint32_t, 3>> kept;
   for (const auto& [off, i] : ranked)
-    kept.push_back(figure.triangles[i]);
-  figure.triangles = std::move(kept);
+    kept.push_back(surface.triangles[i]);
+  const std::size_t gone = surface.triangles.size() - kept.size();
+  surface.triangles = std::move(kept);
+  return gone;
 }
 
-/// Leaves out the vertices that no triangle uses, and their marks.
-void drop_unused_vertices(SurfaceFigure& figure) {
-  constexpr std::uint32_t kUnused = UINT32_MAX;
-  std::vector<std::uint32_t> number(figure.yours.size(), kUnused);
-  SurfaceFigure small;
-  small.left_out = figure.left_out;
-  small.triangles = std::move(figure.triangles);
-  for (Triangle& triangle : small.triangles) {
+/// Leaves out the vertices that no triangle uses.
+/// @return the new number of each old vertex, or kUnused
+std::vector<std::uint32_t> drop_unused_vertices(TriangleSurface& surface) {
+  std::vector<std::uint32_t> number(surface.positions.size(), kUnused);
+  std::vector<Point3> kept;
+  for (auto& triangle : surface.triangles) {
     for (std::uint32_t& v : triangle) {
       if (number[v] == kUnused) {
-        number[v] = static_cast<std::uint32_t>(small.yours.size());
-        small.yours.push_back(figure.yours[v]);
-        if (!figure.expected.empty()) small.expected.push_back(figure.expected[v]);
+        number[v] = static_cast<std::uint32_t>(kept.size());
+        kept.push_back(surface.positions[v]);
       }
       v = number[v];
     }
   }
-  for (SurfaceMark& mark : figure.marks) {
-    if (number[mark.vertex] == kUnused) continue;
-    mark.vertex = number[mark.vertex];
-    small.marks.push_back(std::move(mark));
-  }
-  figure = std::move(small);
+  surface.positions = std::move(kept);
+  return number;
 }
 
+/// Orders the marks and makes the figure small enough to be looked at.
 void finish(SurfaceFigure& figure) {
   std::stable_sort(
       figure.marks.begin(), figure.marks.end(),
       [](const SurfaceMark& a, const SurfaceMark& b) { return a.error > b.error; });
-  if (!figure.marks.empty()) keep_nearest(figure, figure.yours[figure.marks[0].vertex]);
-  if (figure.triangles.size() > kMostTriangles) {
-    figure.left_out = figure.triangles.size() - kMostTriangles;
-    figure.triangles.resize(kMostTriangles);
+  const SurfaceMark worst = figure.marks.empty() ? SurfaceMark{} : figure.marks[0];
+  figure.left_out = keep_nearest(figure.yours, figure.yours.positions[worst.vertex]);
+  keep_nearest(figure.expected, figure.expected.positions[worst.expected]);
+  const std::vector<std::uint32_t> mine = drop_unused_vertices(figure.yours);
+  const std::vector<std::uint32_t> right = drop_unused_vertices(figure.expected);
+  for (SurfaceMark& mark : figure.marks) {
+    mark.vertex = mine[mark.vertex];
+    mark.expected = right[mark.expected];
   }
-  drop_unused_vertices(figure);
+  std::erase_if(figure.marks, [](const SurfaceMark& mark) {
+    return mark.vertex == kUnused || mark.expected == kUnused;
+  });
 }
 
 }  // namespace
 
-SurfaceFigure figure_of_positions(const MeshDump& mesh, const std::vector<Ref>& match,
-                                  const std::vector<Point3>& expected, double allowed,
-                                  double size) {
-  SurfaceFigure figure;
-  figure.triangles = triangles_of(mesh);
-  figure.yours = figure.expected = positions_of(mesh);
-  for (std::size_t v = 0; v < match.size(); ++v) {
-    const Ref mine = match[v];
-    figure.expected[mine] = expected[v];
-    const double error = distance(expected[v], figure.yours[mine]);
+std::vector<std::size_t> valences(const MeshDump& mesh) {
+  std::vector<std::size_t> valence(mesh.vertices.size(), 0);
+  for (const HalfedgeRecord& h : mesh.halfedges) {
+    if (h.live != 0) ++valence[h.vertex];
+  }
+  return valence;
+}
+
+SurfaceFigure figure_of_positions(const MeshDump& right, const std::vector<Point3>& expected,
+                                  const MeshDump& mesh, const std::vector<Ref>& match,
+                                  double allowed, double size) {
+  SurfaceFigure figure{surface_of(mesh), surface_of(right), "in a wrong place", {}, 0};
+  figure.expected.positions = expected;
+  for (std::uint32_t v = 0; v < match.size(); ++v) {
+    const Point3& actual = mesh.vertices[match[v]].position;
+    const double error = distance(expected[v], actual);
     if (error <= allowed) continue;
-    figure.marks.push_back({mine, vertex_name(mine),
+    figure.marks.push_back({match[v], v, vertex_name(match[v]),
                             "off by " + number_text(error / size, 2) + " of the size, at " +
-                                point_text(figure.yours[mine]) + ", must be at " +
-                                point_text(expected[v]),
+                                point_text(actual) + ", must be at " + point_text(expected[v]),
                             error});
   }
   finish(figure);
   return figure;
 }
 
-SurfaceFigure figure_of_connectivity(const MeshDump& mesh,
-                                     const std::vector<std::size_t>& edges) {
-  SurfaceFigure figure;
-  figure.triangles = triangles_of(mesh);
-  figure.yours = positions_of(mesh);
-  std::vector<std::size_t> valence(mesh.vertices.size(), 0);
-  for (const HalfedgeRecord& h : mesh.halfedges) {
-    if (h.live != 0) ++valence[h.vertex];
-  }
-  for (Ref v = 0; v < std::min(edges.size(), valence.size()); ++v) {
-    if (edges[v] == 0 || mesh.vertices[v].live == 0 || valence[v] == edges[v]) continue;
+SurfaceFigure figure_of_connectivity(const MeshDump& right, const MeshDump& mesh,
+                                     const std::vector<Ref>& match) {
+  SurfaceFigure figure{
+      surface_of(mesh), surface_of(right), "with a wrong number of edges", {}, 0};
+  const std::vector<std::size_t> want = valences(right);
+  const std::vector<std::size_t> have = valences(mesh);
+  for (std::uint32_t v = 0; v < match.size(); ++v) {
+    const Ref mine = match[v];
+    if (mine >= have.size() || mesh.vertices[mine].live == 0 || have[mine] == want[v]) continue;
     figure.marks.push_back(
-        {v, vertex_name(v),
-         plural(valence[v], "edge") + ", must be " + std::to_string(edges[v]),
-         std::fabs(static_cast<double>(valence[v]) - static_cast<double>(edges[v]))});
+        {mine, v, vertex_name(mine),
+         plural(have[mine], "edge") + ", must be " + std::to_string(want[v]),
+         std::fabs(static_cast<double>(have[mine]) - static_cast<double>(want[v]))});
   }
   finish(figure);
   return figure;

@@ -76,12 +76,14 @@ std::string figure_text(const NeighbourhoodFigure& figure) {
 }
 
 std::string figure_text(const SurfaceFigure& figure) {
-  std::string text = "The mesh after the step: " + plural(figure.triangles.size(), "triangle");
+  std::string text =
+      "The mesh after the step: " + plural(figure.yours.triangles.size(), "triangle");
   if (figure.left_out > 0) {
     text +=
         " around the worst vertex; " + std::to_string(figure.left_out) + " more are left out";
   }
-  text += ".\nWrong vertices, the worst first: " + std::to_string(figure.marks.size()) + "\n";
+  text += ".\nVertices " + figure.fault +
+          ", the worst first: " + std::to_string(figure.marks.size()) + "\n";
   for (const SurfaceMark& mark : figure.marks)
     text += "  " + mark.name + ": " + mark.text + "\n";
   return text;

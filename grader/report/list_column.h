@@ -23,9 +23,10 @@ class ListColumn {
     const Spot middle = at_ + Spot{13.0, 0.5 * kLineHeight};
     pen_.box(box_around(middle, 24.0, 16.0), 4.0, ink::kWrong, {});
     pen_.text(middle, std::to_string(number), {12.0, ink::kPaper, true});
-    Lettering code{13.0};
-    line(text, code, 34.0);
+    line(text, {13.0}, 34.0);
   }
+
+  void gap() { at_.y += 0.4 * kLineHeight; }
 
   double bottom() const { return at_.y; }
 

@@ -23,10 +23,13 @@ struct PanelTitle {
 
 std::vector<PanelTitle> panel_titles(const NeighbourhoodFigure& figure) {
   const std::size_t faults = figure.faults.size();
+  const bool complete = missing_text(figure).empty();
   return {{PanelPart::kBefore, "panel before", "before", ink::kText},
           {PanelPart::kYours, "panel yours",
-           faults == 0 ? "yours" : "yours: " + plural(faults, "wrong pointer"),
-           faults == 0 ? ink::kText : ink::kWrong},
+           !complete     ? "yours: not all is created"
+           : faults == 0 ? "yours"
+                         : "yours: " + plural(faults, "wrong pointer"),
+           complete && faults == 0 ? ink::kText : ink::kWrong},
           {PanelPart::kExpected, "panel expected", "expected",
            faults == 0 ? ink::kText : ink::kRight}};
 }
@@ -63,6 +66,7 @@ void list_what_is_wrong(ListColumn& column, const Finding& finding) {
 }
 
 void explain_the_signs(ListColumn& column, const NeighbourhoodFigure& figure) {
+  column.gap();
   column.quiet(
       "Each arrow is a half-edge, drawn inside its face; the hook at its tip leads to its "
       "next. "

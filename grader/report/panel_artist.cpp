@@ -13,6 +13,8 @@ constexpr double kNameSize = 13.0;
 constexpr double kSmallSize = 11.5;
 constexpr double kTagSize = 12.0;
 constexpr double kTagHeight = 17.0;
+constexpr double kHeadSize = 14.0;  // of an arrow's head, which no label hides
+constexpr double kClose = 60.0;     // from a tip to where the next half-edge begins
 
 /// A wrong pointer as an arrow: from its element to where it leads.
 struct Connector {
@@ -20,6 +22,7 @@ struct Connector {
   Spot control;
   Spot end;
   bool leads_out = false;  ///< of the picture, or to nothing: it ends in its tag
+  bool is_hook = false;    ///< the short way to a next half-edge, which shows its own direction
 
   Spot at(double t) const {
     const double s = 1.0 - t;
@@ -52,6 +55,7 @@ class PanelArtist {
     std::vector<Connector> connectors;
     for (std::size_t i : faults_) {
       connectors.push_back(connector(task_.figure.faults[i]));
+      labels_.take(box_around(connectors.back().end, kHeadSize, kHeadSize));
       draw_connector(connectors.back(), i);
     }
     draw_names();
@@ -95,9 +99,27 @@ class PanelArtist {
     return text;
   }
 
+  /// A pointer that is wrong must lead here.
+  bool is_wanted(Kind kind, std::size_t i) const {
+    return task_.part == PanelPart::kExpected &&
+           std::any_of(faults_.begin(), faults_.end(), [&](std::size_t f) {
+             const FigureFault& fault = task_.figure.faults[f];
+             return target_kind(fault.kind, fault.pointer) == kind &&
+                    pointer_of(fault).place == i;
+           });
+  }
+
+  const FigurePointer& pointer_of(const FigureFault& fault) const {
+    return element(fault.kind, fault.place).pointers[fault.pointer];
+  }
+
+  bool stands_out(Kind kind, std::size_t i) const {
+    return is_faulty(kind, i) || is_wanted(kind, i);
+  }
+
   const char* color(Kind kind, std::size_t i, const char* usual) const {
     if (is_faulty(kind, i) || is_missing(kind, i)) return ink::kWrong;
-    return is_new(kind, i) ? ink::kRight : usual;
+    return is_new(kind, i) || is_wanted(kind, i) ? ink::kRight : usual;
   }
 
   // ---- names -----------------------------------------------------------------------------
@@ -140,6 +162,8 @@ class PanelArtist {
   }
 
   void reserve_labels() {
+    for (std::size_t i = 0; i < halfedges().size(); ++i)
+      labels_.take(box_around(layout_.arrow(i).at(0.96), kHeadSize, kHeadSize));
     for (Kind kind : {Kind::kVertex, Kind::kHalfedge, Kind::kEdge, Kind::kFace}) {
       for (std::size_t i = 0; i < panel_.of(kind).size(); ++i)
         labels_.take(label_box(kind, i));
@@ -164,7 +188,7 @@ class PanelArtist {
     const bool on_face = kind == Kind::kFace && !element(kind, i).outside;
     group.box(label_box(kind, i), 3.0, on_face ? ink::kFace : ink::kPaper, {});
     group.text(label_spot(kind, i), label(kind, i),
-               {size, color(kind, i, usual), is_faulty(kind, i)});
+               {size, color(kind, i, usual), stands_out(kind, i)});
   }
 
   void draw_vertex(std::size_t i) {
@@ -185,8 +209,7 @@ class PanelArtist {
       if (layout_.face_corners(i).empty()) continue;
       const bool missing = is_missing(Kind::kFace, i);
       pen_.group(css_class("face", Kind::kFace, i))
-          .polygon(layout_.face_corners(i), missing ? ink::kPaper : ink::kFace,
-                   {ink::kEdge, 0.0});
+          .polygon(layout_.face_corners(i), missing ? ink::kPaper : ink::kFace, {});
     }
   }
 
@@ -206,7 +229,7 @@ class PanelArtist {
     group.tooltip(element_text(panel_, Kind::kHalfedge, i));
     const HalfedgeArrow& arrow = layout_.arrow(i);
     const char* tint = color(Kind::kHalfedge, i, ink::kArrow);
-    const double width = is_faulty(Kind::kHalfedge, i) ? 3.6 : 1.8;
+    const double width = stands_out(Kind::kHalfedge, i) ? 3.6 : 1.8;
     group.line(arrow.tail, arrow.tip - 5.0 * arrow.direction(),
                {tint, width, is_missing(Kind::kHalfedge, i) ? "2 4" : ""});
     group.arrowhead(arrow.tip, arrow.direction(), width > 2.0 ? 14.0 : 10.0, tint);
@@ -220,7 +243,7 @@ class PanelArtist {
     if (next == kNotPictured) return;
     const HalfedgeArrow& arrow = layout_.arrow(i);
     const Spot end = layout_.arrow(next).tail;
-    if (length(end - arrow.tip) > 60.0) return;
+    if (length(end - arrow.tip) > kClose) return;
     group.path(move_to(arrow.tip) + curve_to(arrow.turn, end), {ink::kArrow, 1.2});
   }
 
@@ -251,30 +274,41 @@ class PanelArtist {
   }
 
   Connector connector(const FigureFault& fault) const {
-    const FigurePointer& pointer = element(fault.kind, fault.place).pointers[fault.pointer];
+    const FigurePointer& pointer = pointer_of(fault);
     const Spot start = departure(fault);
     const Spot lean = leaning(fault, start);
     if (pointer.place == kNotPictured) {
-      return {start, start + 22.0 * lean, start + 44.0 * lean, true};
+      return {start, start + 22.0 * lean, start + 44.0 * lean, true, false};
     }
-    Spot end = arrival(fault, pointer.place);
+    const Spot end = arrival(fault, pointer.place);
     if (length(end - start) < 8.0) {  // it leads back to where it comes from
       const Spot side = left_of(lean);
       return {start, start + 60.0 * lean, start + 18.0 * side, false};
+    }
+    const bool next = fault.kind == Kind::kHalfedge && fault.pointer == 0;
+    if (next && length(end - start) < kClose && task_.part == PanelPart::kExpected) {
+      return {start, layout_.arrow(fault.place).turn, end, false, true};
     }
     Spot side = left_of(unit(end - start));
     if (side.x * lean.x + side.y * lean.y < 0.0) side = -1.0 * side;
     const double bend = std::clamp(0.3 * length(end - start), 18.0, 60.0);
     const Spot control = 0.5 * (start + end) + bend * side;
-    if (target_kind(fault.kind, fault.pointer) != Kind::kHalfedge) {
-      end = end - 13.0 * unit(end - control);  // up to the label, not under it
-    }
-    return {start, control, end, false};
+    const Kind kind = target_kind(fault.kind, fault.pointer);
+    if (kind == Kind::kHalfedge) return {start, control, end, false};
+    return cut_at({start, control, end, false}, label_box(kind, pointer.place));
+  }
+
+  /// The part of a connector in front of the label that it leads to.
+  static Connector cut_at(const Connector& c, const Box& label) {
+    double t = 1.0;
+    while (t > 0.3 && overlap(label, box_around(c.at(t), 2.0, 2.0)))
+      t -= 0.02;
+    return {c.start, c.start + t * (c.control - c.start), c.at(t), false};
   }
 
   std::string tag_text(std::size_t i) const {
     const FigureFault& fault = task_.figure.faults[i];
-    const FigurePointer& pointer = element(fault.kind, fault.place).pointers[fault.pointer];
+    const FigurePointer& pointer = pointer_of(fault);
     return std::to_string(i + 1) + " " + pointer_name(fault.kind, fault.pointer) +
            (pointer.place == kNotPictured ? ": " + shortened(pointer.text, 12) : "");
   }
@@ -285,12 +319,29 @@ class PanelArtist {
     group.tooltip(task_.figure.faults[i].text);
     group.path(move_to(c.start) + curve_to(c.control, c.end),
                {alarm_, 2.4, task_.part == PanelPart::kYours ? "6 4" : ""});
-    group.arrowhead(c.end, c.end - c.control, 11.0, alarm_);
-    group.circle(c.start, 3.2, alarm_, {alarm_, 0.0});
+    if (!c.is_hook) group.arrowhead(c.end, c.end - c.control, 11.0, alarm_);
+    group.circle(c.start, 3.2, alarm_, {});
   }
 
   std::string pointer_class() const {
     return task_.part == PanelPart::kYours ? "wrong" : "right";
+  }
+
+  /// On the connector; beside it if that is too short to be seen under the tag.
+  static std::vector<Spot> tag_spots(const Connector& c, double width) {
+    std::vector<Spot> spots;
+    const Spot middle = c.at(0.5);
+    if (length(c.end - c.start) > width + 20.0) {
+      for (double t : {0.5, 0.38, 0.62, 0.28, 0.72})
+        spots.push_back(c.at(t));
+    }
+    const double out = middle.x < 0.0 ? -1.0 : 1.0;
+    for (double far : {0.5 * width + 16.0, 0.5 * width + 34.0}) {
+      for (Spot way : {Spot{out, 0.35}, Spot{out, -0.35}, Spot{-out, 0.35}, Spot{0.3, 1.0},
+                       Spot{0.3, -1.0}})
+        spots.push_back(middle + far * way);
+    }
+    return spots;
   }
 
   void draw_tag(const Connector& c, std::size_t i) {
@@ -300,18 +351,16 @@ class PanelArtist {
     if (c.leads_out) {
       wanted.push_back(c.end);
     } else {
-      for (double t : {0.5, 0.38, 0.62, 0.28, 0.72, 0.18, 0.82})
-        wanted.push_back(c.at(t));
+      wanted = tag_spots(c, width);
     }
     const Spot spot = labels_.place(wanted, width, kTagHeight);
     const SvgPen group = pen_.group("tag " + pointer_class());
     group.tooltip(task_.figure.faults[i].text);
-    const Spot anchor = c.leads_out ? c.start : c.at(0.5);
-    const bool apart = std::none_of(wanted.begin(), wanted.end(),
-                                    [&](Spot w) { return length(w - spot) < 1.0; });
-    if (c.leads_out || apart) {
-      group.line(anchor, spot, {alarm_, c.leads_out ? 2.4 : 1.2, c.leads_out ? "6 4" : "2 3"});
-      group.circle(anchor, 3.2, alarm_, {alarm_, 0.0});
+    if (c.leads_out) {
+      group.line(c.start, spot, {alarm_, 2.4, task_.part == PanelPart::kYours ? "6 4" : ""});
+      group.circle(c.start, 3.2, alarm_, {});
+    } else {
+      group.line(c.at(0.5), spot, {alarm_, 1.2});
     }
     group.box(box_around(spot, width, kTagHeight), 4.0, alarm_, {ink::kPaper, 1.0});
     group.text(spot, text, {kTagSize, ink::kPaper, true});

@@ -72,17 +72,16 @@ class View {
   Spot middle_;
 };
 
-std::vector<Point3> normals_of(const SurfaceFigure& figure, const std::vector<Point3>& points) {
-  PolygonMesh mesh{points, {}};
-  for (const auto& t : figure.triangles)
+std::vector<Point3> normals_of(const TriangleSurface& surface) {
+  PolygonMesh mesh{surface.positions, {}};
+  for (const auto& t : surface.triangles)
     mesh.polygons.push_back({t[0], t[1], t[2]});
   return vertex_normals(mesh, NormalWeight::kArea);
 }
 
 View choose_view(const SurfaceFigure& figure) {
-  const std::vector<Point3>& shape = figure.expected.empty() ? figure.yours : figure.expected;
-  const std::size_t front = figure.marks.empty() ? 0 : figure.marks[0].vertex;
-  Vector3D normal = vector_of(normals_of(figure, shape)[front]);
+  const std::size_t front = figure.marks.empty() ? 0 : figure.marks[0].expected;
+  Vector3D normal = vector_of(normals_of(figure.expected)[front]);
   if (!is_finite(normal)) normal = {0.0, 0.0, 1.0};
   const Vector3D other =
       std::fabs(normal.y) < 0.9 ? Vector3D(0.0, 1.0, 0.0) : Vector3D(0.0, 0.0, 1.0);
@@ -90,54 +89,56 @@ View choose_view(const SurfaceFigure& figure) {
   const Vector3D above = cross(aside, normal);
   const Vector3D towards =
       std::cos(kTilt) * normal + std::sin(kTilt) * (0.6 * aside + 0.8 * above);
-  return {towards.unit(), shape};
+  return {towards.unit(), figure.expected.positions};
 }
 
-/// The surface once more, with other positions.
+/// One of the two surfaces.
 class SurfacePanel {
  public:
-  SurfacePanel(const SvgPen& pen, const SurfaceFigure& figure, const View& view,
-               const std::vector<Point3>& points)
+  SurfacePanel(const SvgPen& pen, const SurfaceFigure& figure, const View& view, bool yours)
       : pen_(pen),
         figure_(figure),
         view_(view),
-        points_(points),
-        normals_(normals_of(figure, points)),
+        yours_(yours),
+        surface_(yours ? figure.yours : figure.expected),
+        normals_(normals_of(surface_)),
         labels_(kFrame) {}
 
   void draw_triangles() const {
     const SvgPen pen = pen_.clipped_group("surface", kFrame);
-    std::vector<std::size_t> order(figure_.triangles.size());
+    std::vector<std::size_t> order(surface_.triangles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::vector<double> depth;
-    for (const auto& t : figure_.triangles) {
-      depth.push_back(view_.depth(points_[t[0]]) + view_.depth(points_[t[1]]) +
-                      view_.depth(points_[t[2]]));
+    for (const auto& t : surface_.triangles) {
+      depth.push_back(view_.depth(surface_.positions[t[0]]) +
+                      view_.depth(surface_.positions[t[1]]) +
+                      view_.depth(surface_.positions[t[2]]));
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t i, std::size_t j) { return depth[i] < depth[j]; });
     for (std::size_t i : order)
-      draw_triangle(pen, figure_.triangles[i]);
+      draw_triangle(pen, surface_.triangles[i]);
   }
 
-  void draw_marks(const char* color, bool ringed) {
-    const SvgPen pen = pen_.group(ringed ? "marks wrong" : "marks right");
+  void draw_marks() {
+    const char* color = yours_ ? ink::kWrong : ink::kRight;
+    const SvgPen pen = pen_.group(yours_ ? "marks wrong" : "marks right");
     const SvgPen dots = pen.clipped_group("dots", kFrame);
     for (const SurfaceMark& mark : figure_.marks) {
-      const bool hidden = is_hidden(mark.vertex);
-      dots.circle(spot(mark.vertex), hidden ? 2.2 : 3.0, hidden ? "none" : color,
+      const bool hidden = is_hidden(vertex_of(mark));
+      dots.circle(spot(vertex_of(mark)), hidden ? 2.2 : 3.0, hidden ? "none" : color,
                   {color, hidden ? 1.0 : 0.0});
     }
     for (std::size_t i = 0; i < std::min(figure_.marks.size(), kMostTags); ++i)
-      draw_tag(pen, i, color, ringed);
+      draw_tag(pen, i, color);
   }
 
   /// From where the worst vertices are to where they must be.
-  void draw_ways(const std::vector<Point3>& expected) const {
+  void draw_ways() const {
     const SvgPen pen = pen_.clipped_group("ways", kFrame);
     for (std::size_t i = 0; i < std::min(figure_.marks.size(), kMostTags); ++i) {
       const Spot from = spot(figure_.marks[i].vertex);
-      const Spot to = view_.project(expected[figure_.marks[i].vertex]);
+      const Spot to = view_.project(figure_.expected.positions[figure_.marks[i].expected]);
       if (length(to - from) < 8.0) continue;
       pen.line(from, to, {ink::kRight, 1.8, "4 3"});
       pen.arrowhead(to, to - from, 9.0, ink::kRight);
@@ -147,7 +148,11 @@ class SurfacePanel {
  private:
   static constexpr Box kFrame{-0.5 * kSide, -0.5 * kSide, 0.5 * kSide, 0.5 * kSide};
 
-  Spot spot(std::uint32_t vertex) const { return view_.project(points_[vertex]); }
+  std::uint32_t vertex_of(const SurfaceMark& mark) const {
+    return yours_ ? mark.vertex : mark.expected;
+  }
+
+  Spot spot(std::uint32_t vertex) const { return view_.project(surface_.positions[vertex]); }
 
   bool is_hidden(std::uint32_t vertex) const {
     return dot(vector_of(normals_[vertex]), view_.towards()) < 0.0;
@@ -155,20 +160,21 @@ class SurfacePanel {
 
   void draw_triangle(const SvgPen& pen, const std::array<std::uint32_t, 3>& t) const {
     constexpr const char* kShades[] = {"#c3cdd6", "#d3dbe2", "#e1e7ec", "#edf1f4", "#f8fafb"};
-    const Vector3D p = vector_of(points_[t[0]]);
+    const Vector3D p = vector_of(surface_.positions[t[0]]);
     const Vector3D across =
-        cross(vector_of(points_[t[1]]) - p, vector_of(points_[t[2]]) - p).unit();
+        cross(vector_of(surface_.positions[t[1]]) - p, vector_of(surface_.positions[t[2]]) - p)
+            .unit();
     const double facing = is_finite(across) ? dot(across, view_.towards()) : 0.0;
     const auto shade = facing <= 0.0 ? 0 : static_cast<std::size_t>(1.0 + 3.0 * facing);
     pen.polygon({spot(t[0]), spot(t[1]), spot(t[2])}, kShades[std::min<std::size_t>(shade, 4)],
                 {"#8796a4", 0.7});
   }
 
-  void draw_tag(const SvgPen& pen, std::size_t i, const char* color, bool ringed) {
+  void draw_tag(const SvgPen& pen, std::size_t i, const char* color) {
     const SurfaceMark& mark = figure_.marks[i];
     const std::string text = std::to_string(i + 1) + " " + mark.name;
     const double width = text_width(text, kTagSize) + 10.0;
-    const Spot at = spot(mark.vertex);
+    const Spot at = spot(vertex_of(mark));
     std::vector<Spot> wanted;
     for (Spot way : {Spot{0.0, -24.0}, Spot{0.0, 24.0}, Spot{46.0, -10.0}, Spot{-46.0, -10.0}})
       wanted.push_back(at + way);
@@ -176,7 +182,7 @@ class SurfacePanel {
     const SvgPen group = pen.group("tag");
     group.tooltip(mark.name + ": " + mark.text);
     group.line(at, place, {color, 1.2});
-    if (ringed) {
+    if (yours_) {
       group.circle(at, 7.0, "none", {color, 2.0, is_hidden(mark.vertex) ? "3 2" : ""});
     }
     group.box(box_around(place, width, 17.0), 4.0, color, {ink::kPaper, 1.0});
@@ -186,7 +192,8 @@ class SurfacePanel {
   SvgPen pen_;
   const SurfaceFigure& figure_;
   const View& view_;
-  const std::vector<Point3>& points_;
+  bool yours_;
+  const TriangleSurface& surface_;
   std::vector<Point3> normals_;
   LabelBoxes labels_;
 };
@@ -209,6 +216,7 @@ void list_marks(ListColumn& column, const SurfaceFigure& figure) {
   if (figure.marks.size() > kMostListed) {
     column.sentence("and " + std::to_string(figure.marks.size() - kMostListed) + " more");
   }
+  column.gap();
   column.quiet("Every wrong vertex has a dot; on the far side of the mesh it is hollow.");
   if (figure.left_out > 0) {
     column.quiet("Only what lies around the worst vertex is shown: " +
@@ -220,23 +228,19 @@ void list_marks(ListColumn& column, const SurfaceFigure& figure) {
 
 Spot draw_surface(const SvgPen& pen, const SurfaceFigure& figure) {
   const View view = choose_view(figure);
-  const SvgPen yours = panel_pen(
-      pen, 0, "panel yours",
-      "yours" + (figure.marks.empty()
-                     ? ""
-                     : ": " + std::to_string(figure.marks.size()) + " of " +
-                           std::to_string(figure.yours.size()) + " vertices are wrong"),
-      ink::kWrong);
-  SurfacePanel panel(yours, figure, view, figure.yours);
-  panel.draw_triangles();
-  if (!figure.expected.empty()) {
-    panel.draw_ways(figure.expected);
-    SurfacePanel right(panel_pen(pen, 1, "panel expected", "expected", ink::kRight), figure,
-                       view, figure.expected);
-    right.draw_triangles();
-    right.draw_marks(ink::kRight, false);
-  }
-  panel.draw_marks(ink::kWrong, true);
+  const std::size_t count = figure.marks.size();
+  const std::string title = count == 0
+                                ? "yours"
+                                : "yours: " + std::to_string(count) +
+                                      (count == 1 ? " vertex " : " vertices ") + figure.fault;
+  SurfacePanel yours(panel_pen(pen, 0, "panel yours", title, ink::kWrong), figure, view, true);
+  yours.draw_triangles();
+  yours.draw_ways();
+  yours.draw_marks();
+  SurfacePanel right(panel_pen(pen, 1, "panel expected", "expected", ink::kRight), figure, view,
+                     false);
+  right.draw_triangles();
+  right.draw_marks();
   const double width = 2.0 * kSide + 3.0 * kMargin;
   ListColumn column(pen.group("list"), {kMargin, kTitleHeight + kSide + 6.0}, width);
   list_marks(column, figure);

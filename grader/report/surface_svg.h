@@ -6,8 +6,8 @@
 namespace meshgrade {
 
 /// Draws a subdivided mesh, seen so that its worst vertex is in front, with every wrong vertex
-/// marked; beside it, from the same side, the right one if the surface is the same; and below
-/// them the list of what is wrong.
+/// marked; beside it the right one from the same side; and below them the list of what is
+/// wrong.
 /// @return the width and height that it takes, from (0, 0)
 Spot draw_surface(const SvgPen& pen, const SurfaceFigure& figure);
 

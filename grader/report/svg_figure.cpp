@@ -74,6 +74,7 @@ std::string to_svg(const CaseReport& report, const std::string& id) {
   svg.append_attribute("xmlns").set_value("http://www.w3.org/2000/svg");
   svg.append_attribute("class").set_value("meshgrade-figure");
   svg.append_attribute("role").set_value("img");
+  svg.append_attribute("font-family").set_value("DejaVu Sans Mono, Menlo, Consolas, monospace");
   svg.append_attribute("aria-labelledby").set_value((id + "-title " + id + "-desc").c_str());
   append_text(svg, "title", id + "-title",
               printable(report.id + ": " + report.title + ": " + verdict_name(report.verdict)));

@@ -7,6 +7,8 @@
 namespace meshgrade {
 namespace {
 
+constexpr const char* kSentenceFont = "DejaVu Sans, Helvetica, Arial, sans-serif";
+
 /// Tenths are fine enough for the eye, and keep the file small.
 std::string number(double value) {
   char digits[32];
@@ -131,7 +133,7 @@ void SvgPen::polygon(const std::vector<Spot>& corners, const char* fill,
 void SvgPen::arrowhead(Spot tip, Spot direction, double size, const char* color) const {
   const Spot back = tip - size * unit(direction);
   const Spot side = 0.42 * size * left_of(unit(direction));
-  polygon({tip, back + side, back - side}, color, {color, 0.0});
+  polygon({tip, back + side, back - side}, color, {});
 }
 
 void SvgPen::circle(Spot centre, double radius, const char* fill, const Stroke& stroke) const {
@@ -161,9 +163,7 @@ void SvgPen::text(Spot middle, const std::string& text, const Lettering& letteri
   set(node, "x", number(middle.x));
   set(node, "y", number(middle.y + 0.35 * lettering.size));  // the line that letters stand on
   set(node, "font-size", number(lettering.size));
-  set(node, "font-family",
-      lettering.code ? "DejaVu Sans Mono, Menlo, Consolas, monospace"
-                     : "DejaVu Sans, Helvetica, Arial, sans-serif");
+  if (!lettering.code) set(node, "font-family", kSentenceFont);
   set(node, "fill", lettering.color);
   if (lettering.bold) set(node, "font-weight", "bold");
   if (lettering.anchor != Anchor::kStart) {

@@ -39,7 +39,7 @@ constexpr const char* kRight = "#00559c";
 
 struct Stroke {
   const char* color = ink::kText;
-  double width = 1.0;
+  double width = 0.0;       ///< 0: no line
   const char* dashes = "";  ///< "6 4"
 };
 

@@ -150,7 +150,11 @@ std::string overlapping_labels(pugi::xml_node panel) {
   for (std::size_t i = 0; i < texts.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (!overlap(letters_of(texts[i]), letters_of(texts[j]))) continue;
-      faults += std::string(texts[i].text().get()) + " on " + texts[j].text().get() + "\n";
+      faults += std::string(texts[i].text().get()) + " at " +
+                texts[i].attribute("x").as_string() + " " +
+                texts[i].attribute("y").as_string() + " on " + texts[j].text().get() + " at " +
+                texts[j].attribute("x").as_string() + " " +
+                texts[j].attribute("y").as_string() + "\n";
     }
   }
   return faults;
@@ -171,12 +175,10 @@ double contrast(const std::string& a, const std::string& b) {
   return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
-/// What a text stands on: the box before it in its group, or the picture's ground.
+/// What a text stands on: the box just before it, or the ground of the picture.
 std::string ground_of(pugi::xml_node text) {
-  const pugi::xml_node box = text.previous_sibling("rect");
-  return box && text.parent().attribute("class").as_string() != std::string("list")
-             ? box.attribute("fill").as_string()
-             : ink::kPaper;
+  const pugi::xml_node box = text.previous_sibling();
+  return box.name() == std::string("rect") ? box.attribute("fill").as_string() : ink::kPaper;
 }
 
 Finding& finding_of(CaseReport& report) {
@@ -472,21 +474,52 @@ TEST(SvgFigure, LargeMeshIsShownAroundItsWorstVertex) {
   CaseReport report = judged(c, outcome.steps);
   const SurfaceFigure& figure = finding_of(report).surface;
   ASSERT_FALSE(figure.empty());
-  EXPECT_EQ(figure.triangles.size() + figure.left_out, all);
+  EXPECT_EQ(figure.yours.triangles.size() + figure.left_out, all);
   EXPECT_EQ(figure.marks.at(0).name, "v5");
-  EXPECT_EQ(figure.yours.at(figure.marks[0].vertex)[1], mesh.vertices[5].position[1]);
+  EXPECT_EQ(figure.yours.positions.at(figure.marks[0].vertex)[1], mesh.vertices[5].position[1]);
+}
+
+/// One right step with the vertices numbered as by splitting edges: first the old ones.
+MeshDump old_vertices_first(const PolygonMesh& mesh) {
+  const LoopLevel level = opensubdiv_loop(mesh, VertexRule::kWarren, CornerRule::kSmooth);
+  std::vector<Ref> number(level.mesh.positions.size());
+  for (Ref v = 0; v < level.child_of_vertex.size(); ++v)
+    number[level.child_of_vertex[v]] = v;
+  for (Ref e = 0; e < level.child_of_edge.size(); ++e)
+    number[level.child_of_edge[e]] = static_cast<Ref>(level.child_of_vertex.size()) + e;
+  MeshDump dump = dump_polygons(level.mesh);
+  std::map<Point3, Ref> by_position;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    by_position[level.mesh.positions[v]] = number[v];
+  std::vector<Ref> renamed;
+  for (const VertexRecord& v : dump.vertices)
+    renamed.push_back(by_position.at(v.position));
+  std::vector<VertexRecord> vertices(renamed.size());
+  for (std::size_t v = 0; v < renamed.size(); ++v)
+    vertices[renamed[v]] = dump.vertices[v];
+  dump.vertices = std::move(vertices);
+  for (HalfedgeRecord& h : dump.halfedges)
+    h.vertex = renamed[h.vertex];
+  return dump;
 }
 
 TEST(SvgFigure, SurfaceThatIsJoinedInAnotherWayIsShownWithItsOddVertices) {
   const Case c = loop_case("1 level on icosahedron");
-  auto mesh = from_wire<MeshDump>(right_outcome(c).steps[0]);
-  model_flip(mesh, 0);
+  const PolygonMesh old = from_wire<SubdivisionInput>(c.input).mesh;
+  MeshDump mesh = old_vertices_first(old);
+  ASSERT_EQ(judged(c, {to_wire(mesh)}).verdict, Verdict::kPassed);
+  // An edge between an old vertex and a new one is turned: it joins two new ones now.
+  const Ref old_vertex = 4;
+  model_flip(mesh, mesh.halfedges[mesh.vertices[old_vertex].halfedge].edge);
   CaseReport report = judged(c, {to_wire(mesh)});
   ASSERT_EQ(report.verdict, Verdict::kFailed);
-  EXPECT_FALSE(finding_of(report).surface.empty());
-  EXPECT_TRUE(finding_of(report).surface.expected.empty());
+  const SurfaceFigure& figure = finding_of(report).surface;
+  ASSERT_EQ(figure.marks.size(), 1U);
+  EXPECT_EQ(figure.marks[0].name, vertex_name(old_vertex));
   const Picture picture(report);
-  EXPECT_FALSE(picture.panel("expected"));
+  EXPECT_NE(all_text(picture.panel("list")).find("v4: 4 edges, must be 5"), std::string::npos);
+  EXPECT_EQ(picture.panel("expected").select_nodes(".//svg[@class='surface']/path").size(),
+            4 * old.polygons.size());
 }
 
 TEST(SvgFigure, TheSameCaseGivesTheSameBytes) {
