@@ -299,6 +299,32 @@ class Comparison {
   const Cast& cast_;
 };
 
+template <class Records>
+void add_surplus(Kind kind, const Records& before, const Records& after,
+                 const std::vector<Ref>& matched, std::vector<std::string>& names) {
+  for (Ref i = static_cast<Ref>(before.size()); i < after.size(); ++i) {
+    const bool used = std::find(matched.begin(), matched.end(), i) != matched.end();
+    if (after[i].live != 0 && !used) names.push_back(element_name(kind, i));
+  }
+}
+
+/// New elements that stand for no expected one.
+std::vector<std::string> surplus_names(const MeshDump& before, const MeshDump& after,
+                                       const Correspondence& match) {
+  std::vector<std::string> names;
+  add_surplus(Kind::kHalfedge, before.halfedges, after.halfedges, match.halfedges, names);
+  add_surplus(Kind::kVertex, before.vertices, after.vertices, match.vertices, names);
+  add_surplus(Kind::kEdge, before.edges, after.edges, match.edges, names);
+  add_surplus(Kind::kFace, before.faces, after.faces, match.faces, names);
+  constexpr std::size_t kMostNames = 12;
+  if (names.size() > kMostNames) {
+    const std::size_t more = names.size() - kMostNames;
+    names.resize(kMostNames);
+    names.push_back("and " + std::to_string(more) + " more");
+  }
+  return names;
+}
+
 /// A half-edge on the far side of an outer edge is shown if something about it is wrong, or a
 /// wrong pointer leads to it.
 void add_far_sides(const MeshDump& after, const MeshDump& expected, const Correspondence& match,
@@ -346,7 +372,8 @@ NeighbourhoodFigure figure_of_neighbourhood(const MeshDump& before, const MeshDu
   NeighbourhoodFigure figure{own_panel(before, Cast(before, letters, edge, kUnsetRef)),
                              comparison.yours(),
                              comparison.expected(),
-                             {}};
+                             {},
+                             surplus_names(before, after, match)};
   for (bool was_set : {true, false}) {
     for (const WrongCell& cell : wrong) {
       if (cell.was_set != was_set) continue;
@@ -369,7 +396,7 @@ NeighbourhoodFigure figure_of_nothing_done(const MeshDump& before, const MeshDum
   const FigurePanel panel = own_panel(before, Cast(before, letters, edge, kUnsetRef));
   const Correspondence match = match_of_nothing_done(before, expected);
   const Cast cast(expected, letters, edge, split_vertex);
-  return {panel, panel, Comparison(before, expected, match, cast).expected(), {}};
+  return {panel, panel, Comparison(before, expected, match, cast).expected(), {}, {}};
 }
 
 }  // namespace meshgrade

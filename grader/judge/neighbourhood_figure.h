@@ -57,7 +57,8 @@ struct NeighbourhoodFigure {
   FigurePanel before;
   FigurePanel yours;     ///< the elements that stand for the expected ones, in the same places
   FigurePanel expected;  ///< with the student's names
-  std::vector<FigureFault> faults;  ///< what was set wrongly first
+  std::vector<FigureFault> faults;   ///< what was set wrongly first
+  std::vector<std::string> surplus;  ///< names of elements that are created but not needed
 
   bool empty() const { return before.of(ElementKind::kVertex).empty(); }
 };

@@ -98,7 +98,7 @@ std::vector<std::size_t> valences(const MeshDump& mesh) {
 SurfaceFigure figure_of_positions(const MeshDump& right, const std::vector<Point3>& expected,
                                   const MeshDump& mesh, const std::vector<Ref>& match,
                                   double allowed, double size) {
-  SurfaceFigure figure{surface_of(mesh), surface_of(right), "in a wrong place", {}, 0};
+  SurfaceFigure figure{surface_of(mesh), surface_of(right), true, {}, 0};
   figure.expected.positions = expected;
   for (std::uint32_t v = 0; v < match.size(); ++v) {
     const Point3& actual = mesh.vertices[match[v]].position;
@@ -115,8 +115,7 @@ SurfaceFigure figure_of_positions(const MeshDump& right, const std::vector<Point
 
 SurfaceFigure figure_of_connectivity(const MeshDump& right, const MeshDump& mesh,
                                      const std::vector<Ref>& match) {
-  SurfaceFigure figure{
-      surface_of(mesh), surface_of(right), "with a wrong number of edges", {}, 0};
+  SurfaceFigure figure{surface_of(mesh), surface_of(right), false, {}, 0};
   const std::vector<std::size_t> want = valences(right);
   const std::vector<std::size_t> have = valences(mesh);
   for (std::uint32_t v = 0; v < match.size(); ++v) {

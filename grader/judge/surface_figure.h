@@ -30,7 +30,7 @@ struct SurfaceMark {
 struct SurfaceFigure {
   TriangleSurface yours;
   TriangleSurface expected;
-  std::string fault;               ///< of the marked vertices: "in a wrong place"
+  bool is_misplaced = false;       ///< vertices are in wrong places, not joined in a wrong way
   std::vector<SurfaceMark> marks;  ///< the worst first
   std::size_t left_out = 0;  ///< triangles of yours too far from the worst vertex to be shown
 

@@ -68,11 +68,17 @@ std::string figure_text(const NeighbourhoodFigure& figure) {
              fault.text + "\n";
   const std::string missing = missing_text(figure);
   if (!missing.empty()) wrong += "  " + missing + "\n";
+  if (!figure.surplus.empty())
+    wrong += "  created, but not needed: " + join(figure.surplus, ", ") + "\n";
   return "The triangles around the edge, with the corners a above, b to the left, c to the "
          "right, d below, and m for the new vertex.\n" +
          (wrong.empty() ? "" : "What is wrong:\n" + wrong) + "Before:\n" +
          panel_text(figure.before) + "Yours:\n" + panel_text(figure.yours) + "Expected:\n" +
          panel_text(figure.expected);
+}
+
+std::string fault_text(const SurfaceFigure& figure) {
+  return figure.is_misplaced ? "in a wrong place" : "with a wrong number of edges";
 }
 
 std::string figure_text(const SurfaceFigure& figure) {
@@ -82,7 +88,7 @@ std::string figure_text(const SurfaceFigure& figure) {
     text +=
         " around the worst vertex; " + std::to_string(figure.left_out) + " more are left out";
   }
-  text += ".\nVertices " + figure.fault +
+  text += ".\nVertices " + fault_text(figure) +
           ", the worst first: " + std::to_string(figure.marks.size()) + "\n";
   for (const SurfaceMark& mark : figure.marks)
     text += "  " + mark.name + ": " + mark.text + "\n";

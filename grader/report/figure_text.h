@@ -15,6 +15,9 @@ std::string element_text(const FigurePanel& panel, ElementKind kind, std::size_t
 /// "not created: half-edges mc, cm; edge mc"; empty if nothing is missing.
 std::string missing_text(const NeighbourhoodFigure& figure);
 
+/// What the marked vertices have in common: "in a wrong place".
+std::string fault_text(const SurfaceFigure& figure);
+
 /// All that the picture shows.
 std::string figure_text(const NeighbourhoodFigure& figure);
 std::string figure_text(const SurfaceFigure& figure);

@@ -56,7 +56,9 @@ void list_what_is_wrong(ListColumn& column, const Finding& finding) {
   const std::string missing = missing_text(diff.figure);
   if (!missing.empty()) column.heading("N" + missing.substr(1));
   if (diff.surplus > 0) {
-    column.heading(plural(diff.surplus, "element") + " created that nothing needs");
+    column.heading("Created, but not needed: " + (diff.figure.surplus.empty()
+                                                      ? plural(diff.surplus, "element")
+                                                      : join(diff.figure.surplus, ", ")));
   }
   if (diff.figure.faults.empty() && missing.empty()) {
     column.heading(finding.meaning);
@@ -76,6 +78,10 @@ void explain_the_signs(ListColumn& column, const NeighbourhoodFigure& figure) {
       "A thick arrow has a wrong pointer. A dashed line shows where that pointer leads; the "
       "line "
       "with the same number on the right, where it must lead.");
+  if (figure.faults.size() > kMostDrawnFaults) {
+    column.quiet("Dashed lines are drawn for the first " + std::to_string(kMostDrawnFaults) +
+                 " only: begin with these.");
+  }
 }
 
 }  // namespace

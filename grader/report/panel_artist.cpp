@@ -281,21 +281,21 @@ class PanelArtist {
       return {start, start + 22.0 * lean, start + 44.0 * lean, true, false};
     }
     const Spot end = arrival(fault, pointer.place);
-    if (length(end - start) < 8.0) {  // it leads back to where it comes from
-      const Spot side = left_of(lean);
-      return {start, start + 60.0 * lean, start + 18.0 * side, false};
-    }
     const bool next = fault.kind == Kind::kHalfedge && fault.pointer == 0;
     if (next && length(end - start) < kClose && task_.part == PanelPart::kExpected) {
       return {start, layout_.arrow(fault.place).turn, end, false, true};
+    }
+    if (length(end - start) < 8.0) {  // it leads back to where it comes from
+      const Spot side = left_of(lean);
+      return {start, start + 60.0 * lean, start + 18.0 * side, false, false};
     }
     Spot side = left_of(unit(end - start));
     if (side.x * lean.x + side.y * lean.y < 0.0) side = -1.0 * side;
     const double bend = std::clamp(0.3 * length(end - start), 18.0, 60.0);
     const Spot control = 0.5 * (start + end) + bend * side;
     const Kind kind = target_kind(fault.kind, fault.pointer);
-    if (kind == Kind::kHalfedge) return {start, control, end, false};
-    return cut_at({start, control, end, false}, label_box(kind, pointer.place));
+    if (kind == Kind::kHalfedge) return {start, control, end, false, false};
+    return cut_at({start, control, end, false, false}, label_box(kind, pointer.place));
   }
 
   /// The part of a connector in front of the label that it leads to.
@@ -303,7 +303,7 @@ class PanelArtist {
     double t = 1.0;
     while (t > 0.3 && overlap(label, box_around(c.at(t), 2.0, 2.0)))
       t -= 0.02;
-    return {c.start, c.start + t * (c.control - c.start), c.at(t), false};
+    return {c.start, c.start + t * (c.control - c.start), c.at(t), false, false};
   }
 
   std::string tag_text(std::size_t i) const {
@@ -327,9 +327,19 @@ class PanelArtist {
     return task_.part == PanelPart::kYours ? "wrong" : "right";
   }
 
-  /// On the connector; beside it if that is too short to be seen under the tag.
+  /// On the connector; beside it if that is too short to be seen under the tag; around its
+  /// start if it leads out of the picture.
   static std::vector<Spot> tag_spots(const Connector& c, double width) {
     std::vector<Spot> spots;
+    if (c.leads_out) {
+      for (double far : {1.0, 1.4, 1.8}) {
+        const Spot way = far * (c.end - c.start);
+        for (Spot turned : {way, way + left_of(way), way - left_of(way), left_of(way),
+                            -1.0 * left_of(way), -1.0 * way})
+          spots.push_back(c.start + turned);
+      }
+      return spots;
+    }
     const Spot middle = c.at(0.5);
     if (length(c.end - c.start) > width + 20.0) {
       for (double t : {0.5, 0.38, 0.62, 0.28, 0.72})
@@ -347,13 +357,7 @@ class PanelArtist {
   void draw_tag(const Connector& c, std::size_t i) {
     const std::string text = tag_text(i);
     const double width = text_width(text, kTagSize) + 10.0;
-    std::vector<Spot> wanted;
-    if (c.leads_out) {
-      wanted.push_back(c.end);
-    } else {
-      wanted = tag_spots(c, width);
-    }
-    const Spot spot = labels_.place(wanted, width, kTagHeight);
+    const Spot spot = labels_.place(tag_spots(c, width), width, kTagHeight);
     const SvgPen group = pen_.group("tag " + pointer_class());
     group.tooltip(task_.figure.faults[i].text);
     if (c.leads_out) {

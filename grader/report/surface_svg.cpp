@@ -6,6 +6,7 @@
 
 #include "grader/base/text.h"
 #include "grader/judge/normals.h"
+#include "grader/report/figure_text.h"
 #include "grader/report/label_boxes.h"
 #include "grader/report/list_column.h"
 #include "meshedit/vector3d.h"
@@ -21,6 +22,7 @@ constexpr double kTitleHeight = 28.0;
 constexpr double kTilt = 0.6;  // off the normal, so that an error along it can be seen
 constexpr double kTagSize = 12.0;
 constexpr std::size_t kMostTags = 6;
+constexpr std::size_t kMostHollow = 40;
 constexpr std::size_t kMostListed = 10;
 
 Vector3D vector_of(const Point3& p) {
@@ -124,8 +126,13 @@ class SurfacePanel {
     const char* color = yours_ ? ink::kWrong : ink::kRight;
     const SvgPen pen = pen_.group(yours_ ? "marks wrong" : "marks right");
     const SvgPen dots = pen.clipped_group("dots", kFrame);
-    for (const SurfaceMark& mark : figure_.marks) {
+    // The right surface names only the worst; where many are wrong, those behind are too much.
+    const std::size_t shown =
+        yours_ ? figure_.marks.size() : std::min(figure_.marks.size(), kMostTags);
+    for (std::size_t i = 0; i < shown; ++i) {
+      const SurfaceMark& mark = figure_.marks[i];
       const bool hidden = is_hidden(vertex_of(mark));
+      if (hidden && i >= kMostTags && shown > kMostHollow) continue;
       dots.circle(spot(vertex_of(mark)), hidden ? 2.2 : 3.0, hidden ? "none" : color,
                   {color, hidden ? 1.0 : 0.0});
     }
@@ -217,7 +224,9 @@ void list_marks(ListColumn& column, const SurfaceFigure& figure) {
     column.sentence("and " + std::to_string(figure.marks.size() - kMostListed) + " more");
   }
   column.gap();
-  column.quiet("Every wrong vertex has a dot; on the far side of the mesh it is hollow.");
+  column.quiet(figure.marks.size() > kMostHollow
+                   ? "Every wrong vertex on this side of the mesh has a dot."
+                   : "Every wrong vertex has a dot; on the far side of the mesh it is hollow.");
   if (figure.left_out > 0) {
     column.quiet("Only what lies around the worst vertex is shown: " +
                  plural(figure.left_out, "triangle") + " left out.");
@@ -229,13 +238,13 @@ void list_marks(ListColumn& column, const SurfaceFigure& figure) {
 Spot draw_surface(const SvgPen& pen, const SurfaceFigure& figure) {
   const View view = choose_view(figure);
   const std::size_t count = figure.marks.size();
-  const std::string title = count == 0
-                                ? "yours"
-                                : "yours: " + std::to_string(count) +
-                                      (count == 1 ? " vertex " : " vertices ") + figure.fault;
+  const std::string title = count == 0 ? "yours"
+                                       : "yours: " + std::to_string(count) +
+                                             (count == 1 ? " vertex " : " vertices ") +
+                                             fault_text(figure);
   SurfacePanel yours(panel_pen(pen, 0, "panel yours", title, ink::kWrong), figure, view, true);
   yours.draw_triangles();
-  yours.draw_ways();
+  if (figure.is_misplaced) yours.draw_ways();
   yours.draw_marks();
   SurfacePanel right(panel_pen(pen, 1, "panel expected", "expected", ink::kRight), figure, view,
                      false);
