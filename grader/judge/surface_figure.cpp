@@ -68,6 +68,7 @@ std::vector<std::uint32_t> drop_unused_vertices(TriangleSurface& surface) {
 
 /// Orders the marks and makes the figure small enough to be looked at.
 void finish(SurfaceFigure& figure) {
+  if (figure.empty()) return;  // all was deleted
   std::stable_sort(
       figure.marks.begin(), figure.marks.end(),
       [](const SurfaceMark& a, const SurfaceMark& b) { return a.error > b.error; });

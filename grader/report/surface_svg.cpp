@@ -51,6 +51,7 @@ class View {
     const double size = std::max(box.x1 - box.x0, box.y1 - box.y0);
     scale_ = size > 0.0 && std::isfinite(size) ? 0.8 * kSide / size : 1.0;
     middle_ = {0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
+    height_ = std::min(kSide, scale_ * (box.y1 - box.y0) + 0.25 * kSide);
   }
 
   /// Around the middle of the panel; what is far outside is brought near its border.
@@ -61,6 +62,8 @@ class View {
     };
     return {near(s.x), near(s.y)};
   }
+  /// What a panel takes up, around its middle.
+  Box frame() const { return box_around({}, kSide, height_); }
   double depth(const Point3& p) const { return dot(vector_of(p), towards_); }
   const Vector3D& towards() const { return towards_; }
 
@@ -71,6 +74,7 @@ class View {
   Vector3D right_;
   Vector3D up_;
   double scale_ = 1.0;
+  double height_ = kSide;
   Spot middle_;
 };
 
@@ -104,10 +108,10 @@ class SurfacePanel {
         yours_(yours),
         surface_(yours ? figure.yours : figure.expected),
         normals_(normals_of(surface_)),
-        labels_(kFrame) {}
+        labels_(view.frame()) {}
 
   void draw_triangles() const {
-    const SvgPen pen = pen_.clipped_group("surface", kFrame);
+    const SvgPen pen = pen_.clipped_group("surface", view_.frame());
     std::vector<std::size_t> order(surface_.triangles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::vector<double> depth;
@@ -125,7 +129,7 @@ class SurfacePanel {
   void draw_marks() {
     const char* color = yours_ ? ink::kWrong : ink::kRight;
     const SvgPen pen = pen_.group(yours_ ? "marks wrong" : "marks right");
-    const SvgPen dots = pen.clipped_group("dots", kFrame);
+    const SvgPen dots = pen.clipped_group("dots", view_.frame());
     // The right surface names only the worst; where many are wrong, those behind are too much.
     const std::size_t shown =
         yours_ ? figure_.marks.size() : std::min(figure_.marks.size(), kMostTags);
@@ -142,7 +146,7 @@ class SurfacePanel {
 
   /// From where the worst vertices are to where they must be.
   void draw_ways() const {
-    const SvgPen pen = pen_.clipped_group("ways", kFrame);
+    const SvgPen pen = pen_.clipped_group("ways", view_.frame());
     for (std::size_t i = 0; i < std::min(figure_.marks.size(), kMostTags); ++i) {
       const Spot from = spot(figure_.marks[i].vertex);
       const Spot to = view_.project(figure_.expected.positions[figure_.marks[i].expected]);
@@ -153,8 +157,6 @@ class SurfacePanel {
   }
 
  private:
-  static constexpr Box kFrame{-0.5 * kSide, -0.5 * kSide, 0.5 * kSide, 0.5 * kSide};
-
   std::uint32_t vertex_of(const SurfaceMark& mark) const {
     return yours_ ? mark.vertex : mark.expected;
   }
@@ -205,12 +207,12 @@ class SurfacePanel {
   LabelBoxes labels_;
 };
 
-SvgPen panel_pen(const SvgPen& pen, int number, const char* css_class, const std::string& title,
-                 const char* color) {
+SvgPen panel_pen(const SvgPen& pen, const Box& frame, int number, const char* css_class,
+                 const std::string& title, const char* color) {
   const Spot origin{kMargin + (number + 0.5) * kSide + number * kMargin,
-                    kTitleHeight + 0.5 * kSide};
+                    kTitleHeight - frame.y0};
   const SvgPen panel = pen.moved_group(css_class, origin);
-  panel.text({0.0, -0.5 * (kSide + kTitleHeight)}, title,
+  panel.text({0.0, frame.y0 - 0.5 * kTitleHeight}, title,
              {16.0, color, true, Anchor::kMiddle, false});
   return panel;
 }
@@ -237,21 +239,23 @@ void list_marks(ListColumn& column, const SurfaceFigure& figure) {
 
 Spot draw_surface(const SvgPen& pen, const SurfaceFigure& figure) {
   const View view = choose_view(figure);
+  const Box frame = view.frame();
   const std::size_t count = figure.marks.size();
   const std::string title = count == 0 ? "yours"
                                        : "yours: " + std::to_string(count) +
                                              (count == 1 ? " vertex " : " vertices ") +
                                              fault_text(figure);
-  SurfacePanel yours(panel_pen(pen, 0, "panel yours", title, ink::kWrong), figure, view, true);
+  SurfacePanel yours(panel_pen(pen, frame, 0, "panel yours", title, ink::kWrong), figure, view,
+                     true);
   yours.draw_triangles();
   if (figure.is_misplaced) yours.draw_ways();
   yours.draw_marks();
-  SurfacePanel right(panel_pen(pen, 1, "panel expected", "expected", ink::kRight), figure, view,
-                     false);
+  SurfacePanel right(panel_pen(pen, frame, 1, "panel expected", "expected", ink::kRight),
+                     figure, view, false);
   right.draw_triangles();
   right.draw_marks();
   const double width = 2.0 * kSide + 3.0 * kMargin;
-  ListColumn column(pen.group("list"), {kMargin, kTitleHeight + kSide + 6.0}, width);
+  ListColumn column(pen.group("list"), {kMargin, kTitleHeight + 2.0 * frame.y1 + 6.0}, width);
   list_marks(column, figure);
   return {width, column.bottom() + kMargin};
 }

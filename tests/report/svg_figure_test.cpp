@@ -46,7 +46,7 @@ Case operation_case(const PolygonMesh& mesh, OperationKind kind) {
           "basic",
           1,
           "an edge",
-          to_wire(OperationsInput{mesh, Anchoring::kAsBuilt, {{kind, 0, 1}}}),
+          to_wire(OperationsInput{"a mesh", mesh, Anchoring::kAsBuilt, {{kind, 0, 1}}}),
           1000};
 }
 
@@ -520,6 +520,12 @@ TEST(SvgFigure, SurfaceThatIsJoinedInAnotherWayIsShownWithItsOddVertices) {
   EXPECT_NE(all_text(picture.panel("list")).find("v4: 4 edges, must be 5"), std::string::npos);
   EXPECT_EQ(picture.panel("expected").select_nodes(".//svg[@class='surface']/path").size(),
             4 * old.polygons.size());
+}
+
+TEST(SvgFigure, MeshThatIsDeletedAsAWholeHasNone) {
+  const CaseReport report = judged(loop_case("1 level on icosahedron"), {to_wire(MeshDump{})});
+  EXPECT_EQ(report.verdict, Verdict::kFailed);
+  EXPECT_EQ(to_svg(report, "p"), "");
 }
 
 TEST(SvgFigure, TheSameCaseGivesTheSameBytes) {
