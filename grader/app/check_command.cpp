@@ -6,10 +6,12 @@
 
 #include "grader/app/console.h"
 #include "grader/app/context.h"
+#include "grader/app/figure_files.h"
 #include "grader/app/grading.h"
 #include "grader/app/progress_store.h"
 #include "grader/app/replay_command.h"
 #include "grader/base/safe_file.h"
+#include "grader/base/text.h"
 #include "grader/report/json_report.h"
 #include "grader/report/terminal_report.h"
 
@@ -21,6 +23,7 @@ struct CheckOptions {
   std::vector<std::string> exercises;
   std::string assignment;
   std::string json;
+  std::string figures;
   std::string color = "auto";
   bool verbose = false;
 };
@@ -30,18 +33,28 @@ int exit_status(const Report& report) {
   return report.points < report.max_points ? 1 : 0;
 }
 
+std::string figures_text(std::size_t pictures, const std::string& folder) {
+  if (pictures == 0) return "\nno pictures: nothing that went wrong can be drawn\n";
+  return "\n" + plural(pictures, "picture") + " of what is wrong, in " + folder + "\n";
+}
+
 int check(const CheckOptions& options) {
   const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
   const Submission submission = find_submission(options.submission, assignment.submission);
   const Progress progress = terminal_progress();
-  const Report report = grade(assignment, submission, find_home(), options.exercises, progress);
+  if (!options.figures.empty()) make_figure_folder(options.figures);
+  Report report = grade(assignment, submission, find_home(), options.exercises, progress);
   progress("");
   remember_or_warn(options.submission, report);
-  TerminalStyle style{use_color(options.color), options.verbose, {}};
+  const std::size_t pictures =
+      options.figures.empty() ? 0 : write_figures(report, options.figures);
+  TerminalStyle style{use_color(options.color), options.verbose, options.figures, {}};
   style.again = [&](const std::string& case_id) {
     return replay_command_line(case_id, options.submission, options.assignment);
   };
-  std::cout << to_terminal(report, style) << std::flush;
+  std::cout << to_terminal(report, style);
+  if (!options.figures.empty()) std::cout << figures_text(pictures, options.figures);
+  std::cout << std::flush;
   if (!options.json.empty()) write_file_safely(options.json, to_json(report));
   return exit_status(report);
 }
@@ -61,6 +74,8 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "--assignment", options->assignment,
       "What is asked and what it is worth (TOML); the standard one if not given");
   command->add_option("--json", options->json, "Write the report to this file as JSON");
+  command->add_option("--figures", options->figures,
+                      "Draw what is wrong: SVG pictures in this folder, one for each case");
   command->add_option("--color", options->color, "When to use color")
       ->check(CLI::IsMember({"auto", "always", "never"}));
   command->add_flag("-v,--verbose", options->verbose, "Show every case and every finding");
@@ -69,6 +84,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "  meshgrade check student_skeleton\n"
       "  meshgrade check my_homework edge_flip edge_split\n"
       "  meshgrade check my_homework --json report.json\n"
+      "  meshgrade check my_homework edge_split --figures pictures\n"
       "Exit code: 0 all required points, 1 points lost, 2 bad usage or unreadable input,\n"
       "3 an error of the grader.");
   command->callback([options, &exit_code] { exit_code = check(*options); });

@@ -7,6 +7,7 @@
 #include "grader/app/console.h"
 #include "grader/app/context.h"
 #include "grader/app/debugger.h"
+#include "grader/app/figure_files.h"
 #include "grader/app/grading.h"
 #include "grader/app/progress_store.h"
 #include "grader/app/sanitizer_log.h"
@@ -24,6 +25,7 @@ struct ReplayOptions {
   std::string case_id;
   std::string submission;
   std::string assignment;
+  std::string figures;
   std::string color = "auto";
   bool debug = false;
   bool sanitize = false;
@@ -45,10 +47,12 @@ Replay prepare(const ReplayOptions& options) {
   return replay;
 }
 
-int print_case(const Report& report, const ReplayOptions& options) {
+int print_case(Report report, const ReplayOptions& options) {
+  if (!options.figures.empty()) write_figures(report, options.figures);
   TerminalStyle style;
   style.color = use_color(options.color);
   style.verbose = true;
+  style.figures = options.figures;
   std::cout << cases_to_terminal(report, style) << std::flush;
   if (report.has_grader_error()) return 3;
   return report.exercises.at(0).cases.at(0).verdict == Verdict::kPassed ? 0 : 1;
@@ -109,6 +113,7 @@ int replay_in_debugger(Replay replay) {
 }
 
 int replay(const ReplayOptions& options) {
+  if (!options.figures.empty()) make_figure_folder(options.figures);
   Replay replay = prepare(options);
   if (options.debug) return replay_in_debugger(std::move(replay));
   if (options.sanitize) return replay_sanitized(std::move(replay), options);
@@ -135,8 +140,11 @@ void add_replay_command(CLI::App& app, int& exit_code) {
       "The assignment that the case is of (TOML); the standard one if not given");
   command->add_option("--color", options->color, "When to use color")
       ->check(CLI::IsMember({"auto", "always", "never"}));
+  CLI::Option* figures = command->add_option(
+      "--figures", options->figures, "Draw what is wrong: an SVG picture in this folder");
   CLI::Option* debug = command->add_flag("--debug", options->debug,
                                          "Start gdb, stopped at the function to be written");
+  debug->excludes(figures);
   command
       ->add_flag("--sanitize", options->sanitize,
                  "Run under the address and undefined-behaviour sanitizers")

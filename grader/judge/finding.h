@@ -6,6 +6,7 @@
 
 #include "grader/judge/misconception.h"
 #include "grader/judge/pointer_diff.h"
+#include "grader/judge/surface_figure.h"
 #include "grader/run/outcome.h"
 
 namespace meshgrade {
@@ -41,6 +42,7 @@ struct Finding {
   std::vector<StackFrame> stack;      ///< the student's frames, innermost first
   std::vector<Misconception> likely;  ///< what it probably comes from; the numbers agree
   PointerDiff pointers;               ///< all pointers around a flipped or split edge, or empty
+  SurfaceFigure surface;              ///< the subdivided mesh with its wrong vertices, or empty
 };
 
 /// What the judge says about a case.

@@ -162,6 +162,16 @@ class StepJudge {
                    : "a new vertex in the middle of " + edge_text(),
            "the mesh is the same as before",
            is_flip ? "does flipEdge return too early?" : "does splitEdge return too early?");
+    if (!task_.explain) return;
+    MeshDump expected = before_;
+    Ref m = kUnsetRef;
+    if (is_flip) {
+      model_flip(expected, edge_);
+    } else {
+      m = model_split(expected, edge_);
+    }
+    judgement_.findings[0].pointers.figure =
+        figure_of_nothing_done(before_, expected, edge_, m);
   }
 
   bool would_double() const {
@@ -181,12 +191,12 @@ class StepJudge {
       explain(expected, kUnsetRef);
       return;
     }
-    if (!keeps_positions()) return;
-    if (step_.returned != edge_) {
+    if (keeps_positions() && step_.returned != edge_) {
       report("returned", "flipEdge returns the edge that it was given", edge_name(edge_),
              "the edge " + edge_name(edge_) + " is returned",
              "returned: " + edge_name(step_.returned), "the return statement of flipEdge");
     }
+    add_figure(expected, kUnsetRef);
   }
 
   void judge_split() {
@@ -208,6 +218,7 @@ class StepJudge {
     }
     judge_new_vertex(expected, m, mine);
     if (judgement_.findings.empty()) keeps_positions();
+    add_figure(expected, m);
   }
 
   void judge_new_vertex(const MeshDump& expected, Ref m, Ref mine) {
@@ -267,6 +278,13 @@ class StepJudge {
       judgement_.findings.insert(judgement_.findings.begin(), std::move(lead));
     }
     judgement_.findings[0].pointers = std::move(diff);
+  }
+
+  /// Shows a neighbourhood whose pointers are right, if something else is wrong.
+  void add_figure(const MeshDump& expected, Ref split_vertex) {
+    if (!task_.explain || judgement_.findings.empty()) return;
+    judgement_.findings[0].pointers.figure =
+        diff_pointers(before_, after_, expected, edge_, split_vertex).figure;
   }
 
   /// All mesh rules; `doubled` allows what a flip onto an edge that exists cannot avoid.

@@ -22,6 +22,7 @@ class Differ {
       : before_(before),
         after_(after),
         expected_(expected),
+        edge_(edge),
         split_vertex_(split_vertex),
         diamond_(diamond_of(before, edge)),
         match_(find_correspondence(before, after, expected, edge, split_vertex != kUnsetRef)) {
@@ -46,6 +47,8 @@ class Differ {
     count_elements(expected_.vertices.size(), match_.vertices, after_.vertices);
     count_elements(expected_.edges.size(), match_.edges, after_.edges);
     count_elements(expected_.faces.size(), match_.faces, after_.faces);
+    diff_.figure = figure_of_neighbourhood(before_, after_, expected_, match_, edge_,
+                                           split_vertex_, wrong_cells_);
     return std::move(diff_);
   }
 
@@ -113,18 +116,23 @@ class Differ {
 
   // ---- tables ----------------------------------------------------------------------------
 
-  void begin_table(const char* kind, std::vector<std::string> columns) {
-    diff_.tables.push_back({kind, std::move(columns), {}});
+  void begin_table(ElementKind kind, const char* name, std::vector<std::string> columns) {
+    kind_ = kind;
+    diff_.tables.push_back({name, std::move(columns), {}});
   }
 
   PointerTable& table() { return diff_.tables.back(); }
 
-  void add_cell(PointerRow& row, PointerCell cell, bool was_set) {
+  /// A cell of the row of the expected element `ref`.
+  void add_cell(PointerRow& row, Ref ref, PointerCell cell, bool was_set) {
     if (cell.wrong) {
-      const std::string& column = table().columns[row.cells.size()];
+      const std::size_t column = row.cells.size();
       const std::string owner = row.element.empty() ? "the new " + row.role : row.element;
-      diff_.wrong.push_back(
-          {owner + "." + column, row.role, cell.expected, cell.yours, was_set});
+      const WrongPointer pointer{owner + "." + table().columns[column], row.role, cell.expected,
+                                 cell.yours, was_set};
+      wrong_cells_.push_back(
+          {kind_, ref, column, was_set, pointer.name + " " + must_be_text(pointer)});
+      diff_.wrong.push_back(pointer);
     }
     row.cells.push_back(std::move(cell));
   }
@@ -153,7 +161,8 @@ class Differ {
   }
 
   void add_halfedges() {
-    begin_table("half-edges", {"next", "twin", "vertex", "edge", "face"});
+    begin_table(ElementKind::kHalfedge, "half-edges",
+                {"next", "twin", "vertex", "edge", "face"});
     for (Ref h = 0; h < expected_.halfedges.size(); ++h) {
       if (expected_.halfedges[h].live != 0) add_halfedge(h);
     }
@@ -171,7 +180,7 @@ class Differ {
     const auto cell = [&](Ref was_ref, Ref have_ref, Ref want_ref, const std::string& was_text,
                           const std::string& have_text, const std::string& want_text) {
       const bool wrong = !exists || want_ref == kUnsetRef || have_ref != want_ref;
-      add_cell(row, {old ? was_text : "", exists ? have_text : "", want_text, wrong},
+      add_cell(row, h, {old ? was_text : "", exists ? have_text : "", want_text, wrong},
                exists && have_ref != was_ref);
     };
     const Ref next = match_.halfedges[want.next];
@@ -200,10 +209,10 @@ class Differ {
     return with_role(name_of(mine), role);
   }
 
-  /// A cell for the anchor of an element: right if it is any of the half-edges in `legal`,
-  /// which are expected ones.
+  /// A cell for the anchor of the expected element `ref`: right if it is any of the half-edges
+  /// in `legal`, which are expected ones.
   template <class Records>
-  void add_anchor(const Records& before, const Records& after, Ref mine,
+  void add_anchor(const Records& before, const Records& after, Ref ref, Ref mine,
                   const std::string& name, const std::string& role,
                   const std::vector<Ref>& legal, bool near) {
     const bool exists = mine < after.size();
@@ -219,7 +228,7 @@ class Differ {
     }
     const std::string more = legal.size() > choices.size() ? ", ..." : "";
     PointerRow row{exists ? name : "", role, {}};
-    add_cell(row,
+    add_cell(row, ref,
              {old ? old_halfedge_text(was) : "", exists ? halfedge_text(have) : "",
               right ? halfedge_text(have) : join(choices, " or ") + more, !right},
              exists && have != was);
@@ -244,35 +253,35 @@ class Differ {
   }
 
   void add_vertices() {
-    begin_table("vertices", {"halfedge"});
+    begin_table(ElementKind::kVertex, "vertices", {"halfedge"});
     for (Ref v = 0; v < expected_.vertices.size(); ++v) {
       if (expected_.vertices[v].live == 0) continue;
       const Ref mine = match_.vertices[v];
-      add_anchor(before_.vertices, after_.vertices, mine, vertex_name(mine), letter(v),
+      add_anchor(before_.vertices, after_.vertices, v, mine, vertex_name(mine), letter(v),
                  legal_anchors(v), !letter(v).empty());
     }
   }
 
   void add_edges() {
-    begin_table("edges", {"halfedge"});
+    begin_table(ElementKind::kEdge, "edges", {"halfedge"});
     for (Ref e = 0; e < expected_.edges.size(); ++e) {
       if (expected_.edges[e].live == 0) continue;
       const Ref h = expected_.edges[e].halfedge;
       const Ref twin = expected_.halfedges[h].twin;
       const Ref mine = match_.edges[e];
-      add_anchor(before_.edges, after_.edges, mine, edge_name(mine), halfedge_role(h),
+      add_anchor(before_.edges, after_.edges, e, mine, edge_name(mine), halfedge_role(h),
                  {h, twin}, is_near(h) || is_near(twin));
     }
   }
 
   void add_faces() {
-    begin_table("faces", {"halfedge"});
+    begin_table(ElementKind::kFace, "faces", {"halfedge"});
     for (Ref f = 0; f < expected_.faces.size(); ++f) {
       if (expected_.faces[f].live == 0) continue;
       const Ref h = expected_.faces[f].halfedge;
       const Ref next = expected_.halfedges[h].next;
       const Ref mine = match_.faces[f];
-      add_anchor(before_.faces, after_.faces, mine, face_name(mine), face_role(f),
+      add_anchor(before_.faces, after_.faces, f, mine, face_name(mine), face_role(f),
                  {h, next, expected_.halfedges[next].next}, !face_role(f).empty());
     }
   }
@@ -291,15 +300,24 @@ class Differ {
   const MeshDump& before_;
   const MeshDump& after_;
   const MeshDump& expected_;
+  Ref edge_;
   Ref split_vertex_;
   Diamond diamond_;
   Correspondence match_;
   std::map<Ref, std::string> letters_;
-  std::map<Ref, Ref> stands_for_;  // the student's half-edge -> the expected one
+  ElementKind kind_ = ElementKind::kHalfedge;  // of the last table
+  std::map<Ref, Ref> stands_for_;              // the student's half-edge -> the expected one
+  std::vector<WrongCell> wrong_cells_;
   PointerDiff diff_;
 };
 
 }  // namespace
+
+std::string must_be_text(const WrongPointer& pointer) {
+  const std::string text = "must be " + pointer.expected;
+  if (pointer.was_set) return text + ", you set " + pointer.actual;
+  return text + (pointer.actual.empty() ? "" : ", still " + pointer.actual);
+}
 
 PointerDiff diff_pointers(const MeshDump& before, const MeshDump& after,
                           const MeshDump& expected, Ref edge, Ref split_vertex) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/judge/neighbourhood_figure.h"
 #include "grader/judge/operation_model.h"
 #include "grader/mesh/mesh_dump.h"
 
@@ -52,7 +53,11 @@ struct PointerDiff {
   std::vector<WrongPointer> wrong;
   std::size_t missing = 0;  ///< elements that must be created and are not
   std::size_t surplus = 0;  ///< elements that are created but not needed
+  NeighbourhoodFigure figure;
 };
+
+/// "must be h5 (ca), you set h4 (bd)"
+std::string must_be_text(const WrongPointer& pointer);
 
 /// Compares the neighbourhood of `edge`. `before` and `expected` keep all mesh rules; `after`
 /// may be broken in any way. Old elements keep their numbers in all three. `split_vertex` is

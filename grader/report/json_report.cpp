@@ -72,6 +72,7 @@ Json to_value(const CaseReport& report) {
   if (!report.shrunk_from.empty()) value["shrunk_from"] = report.shrunk_from;
   if (report.excused) value["excused"] = true;
   if (report.hidden) value["hidden"] = true;
+  if (!report.figure.empty()) value["figure"] = report.figure;
   value["findings"] = Json::array();
   for (const FindingReport& finding : report.findings) {
     value["findings"].push_back(to_value(finding));

@@ -37,6 +37,7 @@ struct CaseReport {
   bool hidden = false;   ///< not handed out: see student_view()
   std::string output;    ///< what the code printed in this case, cut off
   std::uint64_t output_bytes = 0;
+  std::string figure;  ///< the name of the file with its picture; empty if none was written
 };
 
 struct GroupReport {

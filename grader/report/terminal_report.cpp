@@ -154,6 +154,7 @@ class TerminalReport {
               " in this case; --verbose shows all\n";
     }
     add_field("note", c.note);
+    if (!c.figure.empty()) add_field("picture", style_.figures + "/" + c.figure);
     if (!c.output.empty() && (style_.verbose || is_failure(c))) add_output(c);
     if (style_.again && is_failure(c)) add_field("again", style_.again(c.id));
   }
@@ -187,12 +188,8 @@ class TerminalReport {
     std::vector<std::string> wrong;
     std::vector<std::string> not_set;
     for (const WrongPointer& pointer : diff.wrong) {
-      const std::string text = pad(pointer.name, 16) + "must be " + pointer.expected;
-      if (pointer.was_set) {
-        wrong.push_back(text + ", you set " + pointer.actual);
-      } else {
-        not_set.push_back(text + (pointer.actual.empty() ? "" : ", still " + pointer.actual));
-      }
+      (pointer.was_set ? wrong : not_set)
+          .push_back(pad(pointer.name, 16) + must_be_text(pointer));
     }
     add_list("set, but wrong:", wrong);
     add_list("not set, but must be:", not_set);

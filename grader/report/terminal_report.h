@@ -9,7 +9,8 @@ namespace meshgrade {
 
 struct TerminalStyle {
   bool color = false;
-  bool verbose = false;  ///< every finding of every case, and what the code printed
+  bool verbose = false;      ///< every finding of every case, and what the code printed
+  std::string figures = {};  ///< the folder that pictures were written to
   /// The command that runs a case again; if it is empty, none is shown.
   std::function<std::string(const std::string& case_id)> again = {};
 };

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "grader/app/figure_files.h"
 #include "grader/app/grading.h"
 #include "grader/base/errors.h"
 #include "grader/report/json_report.h"
@@ -93,8 +94,11 @@ TEST(WholeReport, BrokenSubmissionsAreReportedByTheSchema) {
                       "}\n"
                       "VertexIter HalfedgeMesh::splitEdge(EdgeIter) { return newVertex(); }\n"
                       "}\n"}});
-  const Report pointers = grade_submission(flip, {"edge_flip", "edge_split"});
+  Report pointers = grade_submission(flip, {"edge_flip", "edge_split"});
   EXPECT_EQ(pointers.points, 0.0);
+  const ScratchFolder folder;
+  EXPECT_GT(write_figures(pointers, folder.path()), 0U);
+  EXPECT_NE(to_json(pointers).find("\"figure\": \"edge_flip_basic_1.svg\""), std::string::npos);
   const Report hostile = grade_submission(hostile_submission(), {"vertex_normal", "edge_flip"});
   EXPECT_EQ(hostile.points, 0.0);
   EXPECT_EQ(schema_faults({to_json(pointers), to_json(hostile)}), "");

@@ -105,7 +105,7 @@ class LevelsJudge {
       const auto mesh = from_wire<MeshDump>(steps[i]);
       Level level = refine(meshes);
       level.surface = to_surface(level.by_variant.begin()->second);
-      if (!keeps_rules(mesh) || !has_counts(level, mesh) ||
+      if (!keeps_rules(mesh) || !has_counts(level, old_to_mine, mesh) ||
           !has_surface(level, old_to_mine, mesh) || !has_positions(level, mesh)) {
         return;
       }
@@ -142,7 +142,8 @@ class LevelsJudge {
     return false;
   }
 
-  bool has_counts(const Level& level, const MeshDump& mesh) {
+  bool has_counts(const Level& level, const std::vector<Ref>& old_to_mine,
+                  const MeshDump& mesh) {
     const Counts want = count(level.surface);
     const Counts have = count(mesh);
     if (want == have) return true;
@@ -155,7 +156,18 @@ class LevelsJudge {
     if (have.faces > want.faces) advice += ": some edges that are new are split again";
     report("counts", "every triangle becomes four: each old edge gets one new vertex",
            "the mesh", text(want), text(have), advice);
+    show_valences(level, old_to_mine, mesh);
     return false;
+  }
+
+  /// A picture of the mesh with the old vertices that have a wrong number of edges.
+  void show_valences(const Level& level, const std::vector<Ref>& old_to_mine,
+                     const MeshDump& mesh) {
+    if (!task_.explain) return;
+    std::vector<Ref> match;
+    for (const Origin& origin : level.origins)
+      match.push_back(origin.is_old() ? old_to_mine[origin.a] : kUnsetRef);
+    judgement_.findings.back().surface = figure_of_connectivity(level.surface, mesh, match);
   }
 
   /// Half-edges of `mesh` that may be the one of the expected surface: first those that leave
@@ -211,18 +223,11 @@ class LevelsJudge {
       return true;
     }
     report_other_surface(level, old_to_mine, mesh);
+    show_valences(level, old_to_mine, mesh);
     if (task_.explain) {
       judgement_.findings.back().likely = recognize_connectivity(before_, mesh);
     }
     return false;
-  }
-
-  static std::vector<std::size_t> valences(const MeshDump& mesh) {
-    std::vector<std::size_t> valence(mesh.vertices.size(), 0);
-    for (const HalfedgeRecord& h : mesh.halfedges) {
-      if (h.live != 0) ++valence[h.vertex];
-    }
-    return valence;
   }
 
   /// The first vertex with another number of edges than it should have.
@@ -261,26 +266,39 @@ class LevelsJudge {
       actual[v] = mesh.vertices[match_[v]].position;
     }
     const double size = extent(level.by_variant.begin()->second.positions);
-    WorstPoint best{0, INFINITY};
-    std::string best_name;
+    const double allowed = task_.tolerance * size;
     Conventions agreeing;
     for (const auto& [name, polygons] : level.by_variant) {
-      const WorstPoint worst = worst_point(polygons.positions, actual);
-      if (worst.error <= task_.tolerance * size) agreeing.insert(name);
-      if (best_name.empty() || worst.error < best.error) {
-        best = worst;
-        best_name = name;
-      }
+      if (worst_point(polygons.positions, actual).error <= allowed) agreeing.insert(name);
     }
     if (!agreeing.empty()) {
       conventions_ = keep_agreeing(agreeing);
       return true;
     }
-    report_position(level, actual, size, best, best_name);
+    const std::string& nearest = nearest_variant(level, actual, allowed);
+    const std::vector<Point3>& expected = level.by_variant.at(nearest).positions;
+    report_position(level, actual, size, worst_point(expected, actual), nearest);
     if (task_.explain) {
-      judgement_.findings.back().likely = likely_positions(level, actual, size);
+      Finding& finding = judgement_.findings.back();
+      finding.likely = likely_positions(level, actual, size);
+      finding.surface =
+          figure_of_positions(level.surface, expected, mesh, match_, allowed, size);
     }
     return false;
+  }
+
+  /// The allowed weights by which the fewest vertices are wrong; of these, the least wrong.
+  static const std::string& nearest_variant(const Level& level,
+                                            const std::vector<Point3>& actual, double allowed) {
+    std::map<std::pair<std::size_t, double>, const std::string*> ranked;
+    for (const auto& [name, polygons] : level.by_variant) {
+      std::size_t wrong = 0;
+      for (std::size_t v = 0; v < actual.size(); ++v) {
+        wrong += distance(polygons.positions[v], actual[v]) <= allowed ? 0 : 1;
+      }
+      ranked.emplace(std::pair(wrong, worst_point(polygons.positions, actual).error), &name);
+    }
+    return *ranked.begin()->second;
   }
 
   /// Published rules that the assignment, or the cases before, rule out.
