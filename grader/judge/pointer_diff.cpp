@@ -123,8 +123,8 @@ class Differ {
     if (cell.wrong) {
       const std::string& column = table().columns[row.cells.size()];
       const std::string owner = row.element.empty() ? "the new " + row.role : row.element;
-      diff_.wrong.push_back(
-          {owner + "." + column, row.role, cell.expected, cell.yours, was_set});
+      diff_.wrong.push_back({owner + "." + column, row.role, cell.expected, cell.yours, was_set,
+                             cell.before.empty()});
     }
     row.cells.push_back(std::move(cell));
   }
@@ -300,6 +300,11 @@ class Differ {
 };
 
 }  // namespace
+
+std::string as_left(const WrongPointer& pointer) {
+  if (pointer.was_set) return pointer.name + " was set to " + pointer.actual;
+  return pointer.name + " is still " + pointer.actual + (pointer.is_new ? "" : ", as before");
+}
 
 PointerDiff diff_pointers(const MeshDump& before, const MeshDump& after,
                           const MeshDump& expected, Ref edge, Ref split_vertex) {
