@@ -7,6 +7,7 @@
 #include "grader/app/console.h"
 #include "grader/app/context.h"
 #include "grader/app/grading.h"
+#include "grader/app/grading_options.h"
 #include "grader/app/progress_store.h"
 #include "grader/app/replay_command.h"
 #include "grader/report/json_report.h"
@@ -15,12 +16,8 @@
 namespace meshgrade {
 namespace {
 
-struct CheckOptions {
-  std::string submission;
-  std::vector<std::string> exercises;
-  std::string assignment;
+struct CheckOptions : GradingOptions {
   std::string json;
-  std::string color = "auto";
   bool verbose = false;
 };
 
@@ -36,7 +33,9 @@ int check(const CheckOptions& options) {
   const Report report = grade(assignment, submission, find_home(), options.exercises, progress);
   progress("");
   remember_or_warn(options.submission, report);
-  TerminalStyle style{use_color(options.color), options.verbose, {}};
+  TerminalStyle style;
+  style.color = use_color(options.color);
+  style.verbose = options.verbose;
   style.again = [&](const std::string& case_id) {
     return replay_command_line(case_id, options.submission, options.assignment);
   };
@@ -50,18 +49,8 @@ int check(const CheckOptions& options) {
 void add_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Grade one submission");
-  command
-      ->add_option("submission", options->submission,
-                   "The folder with the C++ files, or one file")
-      ->required();
-  command->add_option("exercises", options->exercises,
-                      "Only these exercises, for example edge_flip; all if none is named");
-  command->add_option(
-      "--assignment", options->assignment,
-      "What is asked and what it is worth (TOML); the standard one if not given");
+  add_grading_options(*command, *options);
   command->add_option("--json", options->json, "Write the report to this file as JSON");
-  command->add_option("--color", options->color, "When to use color")
-      ->check(CLI::IsMember({"auto", "always", "never"}));
   command->add_flag("-v,--verbose", options->verbose, "Show every case and every finding");
   command->footer(
       "Examples:\n"
