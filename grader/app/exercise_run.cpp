@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "grader/app/compile_blame.h"
+#include "grader/app/handle_references.h"
 #include "grader/app/shrinking.h"
 #include "grader/cases/case_list.h"
 #include "grader/judge/judge.h"
@@ -128,6 +129,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
   for (JudgedCase& c : judged.cases)
     told.push_back(&c.judgement);
   tell_apart(told);
+  note_handle_references(candidate.submission, judge.functions, judged);
   if (conventions.size() == 1 && !has_failure(judged)) {
     judged.notes.push_back("found: " + *conventions.begin());
   }
