@@ -157,9 +157,12 @@ class Builder {
       return "compiling took longer than " + std::to_string(limits_.compile_seconds) +
              " seconds and was stopped\n";
     }
+    if (is_dead_compiler(result)) {
+      return "the compiler itself broke, twice: this is no fault of the code\n" +
+             clean(result.output);
+    }
     if (!result.ok() && result.output.empty()) return "the compiler ended without a message\n";
-    const std::string died = "the compiler itself broke, twice: this is no fault of the code\n";
-    return (is_dead_compiler(result) ? died : "") + clean(result.output);
+    return clean(result.output);
   }
 
   /// Leaves out functions that do not compile, until the rest does or none is left to blame.

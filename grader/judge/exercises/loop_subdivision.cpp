@@ -118,6 +118,14 @@ std::string formula(bool old, bool on_boundary) {
          "by Loop, u = (5/8 - (3/8 + cos(2 pi / n) / 4)^2) / n";
 }
 
+std::vector<bool> on_boundary(const MeshDump& mesh) {
+  std::vector<bool> marked(mesh.vertices.size(), false);
+  for (const HalfedgeRecord& h : mesh.halfedges) {
+    if (h.live != 0 && (h.face & kBoundaryBit) != 0) marked[h.vertex] = true;
+  }
+  return marked;
+}
+
 class LevelsJudge {
  public:
   LevelsJudge(const JudgeTask& task, Conventions& conventions, CaseJudgement& judgement)
@@ -327,6 +335,23 @@ class LevelsJudge {
     return false;
   }
 
+  /// " at valence 4, 5": the valences of inner old vertices at which the rules differ.
+  static std::string telling_valences(const Level& level) {
+    const std::vector<std::size_t> all = valences(level.surface);
+    const std::vector<bool> boundary = on_boundary(level.surface);
+    std::set<std::size_t> telling;
+    for (std::size_t v = 0; v < level.origins.size(); ++v) {
+      const bool agree = all[v] == 3 || all[v] == 6;
+      if (level.origins[v].is_old() && !agree && !boundary[v]) {
+        telling.insert(all[v]);
+      }
+    }
+    std::vector<std::string> texts;
+    for (std::size_t n : telling)
+      texts.push_back(std::to_string(n));
+    return texts.empty() ? "" : " at valence " + join(texts, ", ");
+  }
+
   /// Published rules that the assignment, or the cases before, rule out.
   std::vector<OtherRule> other_rules(const Level& level) const {
     const Conventions asked = allowed_variants(task_.rubric);
@@ -337,7 +362,7 @@ class LevelsJudge {
       const bool mixed = asked.count(variant.name) != 0;
       others.push_back(
           {mixed ? "rules-mixed" : "other-rule",
-           std::string("these are ") + variant.name +
+           std::string("these are ") + variant.name + telling_valences(level) +
                (mixed ? ", but the cases before have " + used + ": use one rule everywhere"
                       : "; asked are " + used),
            {variant.vertex_rule,
@@ -375,13 +400,6 @@ class LevelsJudge {
     return rules.size() > 1 ? " by either rule's weights" : " by " + variant;
   }
 
-  bool is_on_boundary(const Level& level, std::size_t index) const {
-    return std::any_of(level.surface.halfedges.begin(), level.surface.halfedges.end(),
-                       [&](const HalfedgeRecord& h) {
-                         return h.vertex == index && (h.face & kBoundaryBit) != 0;
-                       });
-  }
-
   void report_position(const Level& level, const std::vector<Point3>& actual, double size,
                        WorstPoint worst, const std::string& variant) {
     const std::size_t valence = valences(level.surface)[worst.index];
@@ -396,7 +414,7 @@ class LevelsJudge {
                error_text(worst.error, size, task_.tolerance),
            std::string(old ? "the weights of old vertices" : "the weights of edge points") +
                ", from positions before the step: " +
-               formula(old, is_on_boundary(level, worst.index)));
+               formula(old, on_boundary(level.surface)[worst.index]));
   }
 
   const JudgeTask& task_;
