@@ -17,7 +17,7 @@ Report grade_normal(const Submission& submission, const Home& home) {
 
 const SourceFile kNormal{"vertex_normal.cpp",
                          "#include \"meshedit/meshedit.h\"\n"
-                         "Vector3D helper() { return {1, 0, 0}; }\n"
+                         "meshedit::Vector3D helper() { return {1, 0, 0}; }\n"
                          "namespace meshedit {\n"
                          "Vector3D Vertex::normal() const { return helper(); }\n"
                          "}\n"};
@@ -45,7 +45,7 @@ TEST(CompileBlame, FileThatDoesNotLinkIsToldWhy) {
   Submission submission;
   submission.sources = {{"a.cpp",
                          "#include \"meshedit/meshedit.h\"\n"
-                         "Vector3D helper() { return {0, 1, 0}; }\n"},
+                         "meshedit::Vector3D helper() { return {0, 1, 0}; }\n"},
                         kNormal};
   const Report report = grade_normal(submission, find_home());
   EXPECT_STREQ(verdict_name(report.exercises.at(0).verdict), "not compiled");
