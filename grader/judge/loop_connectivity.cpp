@@ -139,6 +139,29 @@ bool explains(const FlipMistake& mistake, SplitOrder order, const MeshDump& befo
 
 }  // namespace
 
+const Misconceptions& flip_misconceptions() {
+  static const Misconceptions known{
+      {"none-flipped",
+       "all edges are split, but no new edge is flipped: does splitEdge set "
+       "isNew?"},
+      {"all-flipped",
+       "every new edge is flipped: only those between an old and a new vertex may be"},
+      {"new-to-new-flipped",
+       "the new edges between two new vertices are flipped: it must be those between an old "
+       "and a new vertex"},
+      {"wrong-pair-marked",
+       "the two halves of the old edges are flipped instead of the edges across: isNew is "
+       "set on the wrong pair in splitEdge"},
+      {"old-halves-flipped",
+       "every edge between an old and a new vertex is flipped, the halves of the old edges as "
+       "well: only edges with isNew may be"},
+      {"marks-not-reset",
+       "isNew of the level before is still set: at the start, no vertex and no edge is new"},
+      {"flipped-too-early", "edges are flipped before all splits are done"},
+  };
+  return known;
+}
+
 Misconceptions recognize_connectivity(const MeshDump& before, const MeshDump& actual,
                                       Ref first_marked) {
   Misconceptions likely;
@@ -147,7 +170,7 @@ Misconceptions recognize_connectivity(const MeshDump& before, const MeshDump& ac
     for (SplitOrder order : {SplitOrder::kLeftFirst, SplitOrder::kRightFirst}) {
       if (!holds(likely, mistake.name) &&
           explains(mistake, order, before, actual, first_marked)) {
-        likely.push_back(find_misconception(loop_misconceptions(), mistake.name));
+        likely.push_back(find_misconception(flip_misconceptions(), mistake.name));
       }
     }
   }

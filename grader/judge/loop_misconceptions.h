@@ -43,7 +43,9 @@ struct RefinedStep {
   std::vector<OtherRule> others;       ///< by every rule that is not
 };
 
+/// All about Loop subdivision; those of them about which edges are flipped.
 const Misconceptions& loop_misconceptions();
+const Misconceptions& flip_misconceptions();
 
 /// Misconceptions about positions that explain all of `actual`, to `allowed`, a length.
 Misconceptions recognize_positions(const RefinedStep& step, const std::vector<Point3>& actual,

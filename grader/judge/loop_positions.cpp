@@ -277,27 +277,8 @@ std::string mixture(const RefinedStep& step, const std::vector<Point3>& actual,
          " have Loop's: use one rule everywhere";
 }
 
-}  // namespace
-
-const Misconceptions& loop_misconceptions() {
+const Misconceptions& position_misconceptions() {
   static const Misconceptions known{
-      {"none-flipped",
-       "all edges are split, but no new edge is flipped: does splitEdge set "
-       "isNew?"},
-      {"all-flipped",
-       "every new edge is flipped: only those between an old and a new vertex may be"},
-      {"new-to-new-flipped",
-       "the new edges between two new vertices are flipped: it must be those between an old "
-       "and a new vertex"},
-      {"wrong-pair-marked",
-       "the two halves of the old edges are flipped instead of the edges across: isNew is "
-       "set on the wrong pair in splitEdge"},
-      {"old-halves-flipped",
-       "every edge between an old and a new vertex is flipped, the halves of the old edges as "
-       "well: only edges with isNew may be"},
-      {"marks-not-reset",
-       "isNew of the level before is still set: at the start, no vertex and no edge is new"},
-      {"flipped-too-early", "edges are flipped before all splits are done"},
       {"edge-midpoints",
        "new vertices lie in the middle of their edges: they need the weights 3/8 and 1/8"},
       {"edge-weights-swapped", "3/8 and 1/8 are swapped: 3/8 is for the ends of the edge"},
@@ -331,9 +312,20 @@ const Misconceptions& loop_misconceptions() {
   return known;
 }
 
+}  // namespace
+
+const Misconceptions& loop_misconceptions() {
+  static const Misconceptions known = [] {
+    Misconceptions all = flip_misconceptions();
+    all.insert(all.end(), position_misconceptions().begin(), position_misconceptions().end());
+    return all;
+  }();
+  return known;
+}
+
 Misconceptions recognize_positions(const RefinedStep& step, const std::vector<Point3>& actual,
                                    double allowed) {
-  const Misconceptions& known = loop_misconceptions();
+  const Misconceptions& known = position_misconceptions();
   Misconceptions likely;
   for (const OtherRule& other : step.others) {
     const bool known_already = holds(likely, other.name);
