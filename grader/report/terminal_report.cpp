@@ -205,14 +205,14 @@ class TerminalReport {
     std::vector<std::string> wrong;
     std::vector<std::string> not_set;
     for (const WrongPointer& pointer : diff.wrong) {
-      const std::string text = pad(pointer.name, 16) + "must be " + pointer.expected;
+      std::string text = pad(pointer.name, 16) + "must be " + pointer.expected;
       if (pointer.was_set) {
         wrong.push_back(text + ", you set " + pointer.actual);
-      } else {
-        const std::string before = pointer.is_new ? "" : ", as before";
-        not_set.push_back(
-            text + (pointer.actual.empty() ? "" : ", is still " + pointer.actual + before));
+        continue;
       }
+      if (!pointer.actual.empty()) text += ", is still " + pointer.actual;
+      if (!pointer.is_new) text += ", as before";
+      not_set.push_back(std::move(text));
     }
     add_list("set, but wrong:", wrong);
     add_list("not changed, but must be:", not_set);
