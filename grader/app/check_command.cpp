@@ -8,6 +8,7 @@
 #include "grader/app/context.h"
 #include "grader/app/figure_files.h"
 #include "grader/app/grading.h"
+#include "grader/app/grading_options.h"
 #include "grader/app/progress_store.h"
 #include "grader/app/replay_command.h"
 #include "grader/base/safe_file.h"
@@ -18,13 +19,9 @@
 namespace meshgrade {
 namespace {
 
-struct CheckOptions {
-  std::string submission;
-  std::vector<std::string> exercises;
-  std::string assignment;
+struct CheckOptions : GradingOptions {
   std::string json;
   std::string figures;
-  std::string color = "auto";
   bool verbose = false;
 };
 
@@ -48,7 +45,10 @@ int check(const CheckOptions& options) {
   remember_or_warn(options.submission, report);
   const std::size_t pictures =
       options.figures.empty() ? 0 : write_figures(report, options.figures);
-  TerminalStyle style{use_color(options.color), options.verbose, options.figures, {}};
+  TerminalStyle style;
+  style.color = use_color(options.color);
+  style.verbose = options.verbose;
+  style.figures = options.figures;
   style.again = [&](const std::string& case_id) {
     return replay_command_line(case_id, options.submission, options.assignment);
   };
@@ -64,20 +64,10 @@ int check(const CheckOptions& options) {
 void add_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Grade one submission");
-  command
-      ->add_option("submission", options->submission,
-                   "The folder with the C++ files, or one file")
-      ->required();
-  command->add_option("exercises", options->exercises,
-                      "Only these exercises, for example edge_flip; all if none is named");
-  command->add_option(
-      "--assignment", options->assignment,
-      "What is asked and what it is worth (TOML); the standard one if not given");
+  add_grading_options(*command, *options);
   command->add_option("--json", options->json, "Write the report to this file as JSON");
   command->add_option("--figures", options->figures,
                       "Draw what is wrong: SVG pictures in this folder, one for each case");
-  command->add_option("--color", options->color, "When to use color")
-      ->check(CLI::IsMember({"auto", "always", "never"}));
   command->add_flag("-v,--verbose", options->verbose, "Show every case and every finding");
   command->footer(
       "Examples:\n"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "grader/build/tool_words.h"
+
 namespace meshgrade {
 namespace {
 
@@ -40,6 +42,13 @@ void blame_left_out_functions(const Assignment& assignment, const Build& build,
   }
 }
 
+std::string trouble_with(const BuiltFile& file) {
+  if (file.compiler_died) return "was not compiled: the compiler itself broke, twice";
+  if (file.linked) return "does not compile";
+  const std::string why = explain_link_error(file.messages);
+  return "does not link" + (why.empty() ? "" : ": " + why);
+}
+
 /// "HalfedgeMesh::flipEdge is not implemented" is no surprise if its file does not compile.
 void blame_files_that_do_not_compile(const Submission& submission, const Build& build,
                                      const ExerciseJudge& judge, CaseJudgement& judgement) {
@@ -51,8 +60,8 @@ void blame_files_that_do_not_compile(const Submission& submission, const Build& 
           source.text.find(function) == std::string::npos) {
         continue;
       }
-      judgement.verdict = Verdict::kNotCompiled;
-      judgement.note = source.name + ", which holds " + function + ", does not compile";
+      judgement.verdict = file->compiler_died ? Verdict::kGraderError : Verdict::kNotCompiled;
+      judgement.note = source.name + ", which holds " + function + ", " + trouble_with(*file);
       return;
     }
   }

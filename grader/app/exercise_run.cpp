@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "grader/app/compile_blame.h"
+#include "grader/app/handle_references.h"
 #include "grader/app/shrinking.h"
 #include "grader/cases/case_list.h"
 #include "grader/judge/judge.h"
+#include "grader/judge/tell_apart.h"
 #include "grader/run/run.h"
 
 namespace meshgrade {
@@ -65,6 +67,8 @@ void run_again_alone(const Assignment& assignment, const ExerciseRubric& rubric,
     judgements[places[i]].note =
         "this case passes when it is run alone: the code keeps something from one call to the "
         "next, in a global or static variable?";
+    for (Finding& finding : judgements[places[i]].findings)
+      finding.likely.clear();  // the numbers are right in a fresh process
   }
 }
 
@@ -121,6 +125,11 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
         {cases[i], std::move(judgements[i]), outcomes[i].output, outcomes[i].output_bytes, ""});
   }
   make_failures_smaller(assignment, home, candidate, judged);
+  std::vector<CaseJudgement*> told;
+  for (JudgedCase& c : judged.cases)
+    told.push_back(&c.judgement);
+  tell_apart(told);
+  note_handle_references(candidate.submission, judge.functions, judged);
   if (conventions.size() == 1 && !has_failure(judged)) {
     judged.notes.push_back("found: " + *conventions.begin());
   }

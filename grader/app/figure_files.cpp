@@ -5,6 +5,7 @@
 
 #include "grader/app/context.h"
 #include "grader/base/errors.h"
+#include "grader/base/safe_file.h"
 #include "grader/report/svg_figure.h"
 
 namespace meshgrade {

@@ -14,6 +14,7 @@
 #include "grader/app/context.h"
 #include "grader/app/file_watch.h"
 #include "grader/app/grading.h"
+#include "grader/app/grading_options.h"
 #include "grader/app/progress_store.h"
 #include "grader/app/replay_command.h"
 #include "grader/base/errors.h"
@@ -22,13 +23,6 @@
 
 namespace meshgrade {
 namespace {
-
-struct WatchOptions {
-  std::string submission;
-  std::vector<std::string> exercises;
-  std::string assignment;
-  std::string color = "auto";
-};
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -95,11 +89,13 @@ std::string clock_time() {
 
 class Watch {
  public:
-  explicit Watch(const WatchOptions& options)
+  explicit Watch(const GradingOptions& options)
       : options_(options),
         assignment_(read_assignment(or_standard_assignment(options.assignment))) {
     choose_exercises(assignment_, options.exercises);  // a wrong name is told at once
     style_.color = use_color(options.color);
+    style_.all_shown_by =
+        called_as() + " check " + shell_word(options.submission) + " --verbose shows all";
     style_.again = [this](const std::string& case_id) {
       return replay_command_line(case_id, options_.submission, options_.assignment);
     };
@@ -145,7 +141,7 @@ class Watch {
     std::cout << cases_to_terminal(failure, style_) << std::flush;
   }
 
-  const WatchOptions& options_;
+  const GradingOptions& options_;
   Assignment assignment_;
   TerminalStyle style_;
   std::optional<Report> last_;
@@ -163,18 +159,9 @@ std::string changes_text(const Report& before, const Report& after) {
 }
 
 void add_watch_command(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<WatchOptions>();
+  auto options = std::make_shared<GradingOptions>();
   CLI::App* command = app.add_subcommand("watch", "Check again whenever a file is saved");
-  command
-      ->add_option("submission", options->submission,
-                   "The folder with the C++ files, or one file")
-      ->required();
-  command->add_option("exercises", options->exercises,
-                      "Only these exercises, for example edge_flip; all if none is named");
-  command->add_option("--assignment", options->assignment,
-                      "The assignment (TOML); the standard one if not given");
-  command->add_option("--color", options->color, "When to use color")
-      ->check(CLI::IsMember({"auto", "always", "never"}));
+  add_grading_options(*command, *options);
   command->footer(
       "Says what has changed since the last save, then shows the first failure. Ctrl-C ends.\n"
       "Examples:\n"

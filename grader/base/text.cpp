@@ -1,6 +1,7 @@
 #include "grader/base/text.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace meshgrade {
@@ -78,6 +79,7 @@ std::string join(const std::vector<std::string>& parts, std::string_view between
 }
 
 std::string number_text(double value, int digits) {
+  if (std::isnan(value)) return "nan";  // whatever its sign
   std::array<char, 64> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value == 0.0 ? 0.0 : value);
   return buffer.data();

@@ -9,6 +9,7 @@
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
 #include "grader/build/added_members.h"
+#include "grader/build/tool_words.h"
 
 namespace meshgrade {
 namespace {
@@ -156,6 +157,10 @@ class Builder {
       return "compiling took longer than " + std::to_string(limits_.compile_seconds) +
              " seconds and was stopped\n";
     }
+    if (is_dead_compiler(result)) {
+      return "the compiler itself broke, twice: this is no fault of the code\n" +
+             clean(result.output);
+    }
     if (!result.ok() && result.output.empty()) return "the compiler ended without a message\n";
     return clean(result.output);
   }
@@ -172,7 +177,7 @@ class Builder {
       file.notes = explain_added_members(file.messages, submission_.course_headers);
     }
     for (int round = 0; round < kRounds && !result.ok(); ++round) {
-      if (std::chrono::steady_clock::now() > end) break;
+      if (std::chrono::steady_clock::now() > end || file.compiler_died) break;
       if (!rests_[i].learn_from(clean(result.output))) break;
       result = compile_rest(i);
     }
@@ -183,7 +188,9 @@ class Builder {
     BuiltFile& file = build_.files[i];
     write_file(path(file.name), rests_[i].text());
     ProcessResult result = compile(file.name, object_name(file.name));
+    if (is_dead_compiler(result)) result = compile(file.name, object_name(file.name));
     file.ok = result.ok();
+    file.compiler_died = is_dead_compiler(result);
     file.left_out = file.ok ? rests_[i].left_out() : std::vector<LeftOut>();
     return result;
   }
@@ -239,12 +246,14 @@ class Builder {
           waiting.erase(std::find(waiting.begin(), waiting.end(), i));
         } else {
           taken.pop_back();
-          build_.files[i].messages = clean(result.output);
+          const std::string messages = clean(result.output);
+          const std::string why = explain_link_error(messages);
+          build_.files[i].messages = (why.empty() ? "" : why + "\n") + messages;
         }
       }
     }
     for (std::size_t i : waiting)
-      build_.files[i].ok = false;
+      build_.files[i].ok = build_.files[i].linked = false;
     const ProcessResult last = link(taken);
     if (!last.ok()) throw GraderError("the worker cannot be linked: " + last.output);
   }

@@ -17,6 +17,8 @@ struct BuiltFile {
   std::string name;
   bool ok = false;
   std::string messages;  ///< of the compiler or linker; also warnings of a file that compiled
+  bool linked = true;    ///< false if it compiles, but not together with the other files
+  bool compiler_died = false;      ///< the compiler broke, twice: not the student's fault
   std::vector<LeftOut> left_out;   ///< functions without which the file compiles
   std::vector<std::string> notes;  ///< what is known about the reasons
 };

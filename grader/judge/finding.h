@@ -38,11 +38,11 @@ struct Finding {
   std::string element;  ///< "h12", "v3", "point 2"
   std::string expected;
   std::string actual;
-  std::string look_at;                ///< pointer, function or idea to look at first
-  std::vector<StackFrame> stack;      ///< the student's frames, innermost first
-  std::vector<Misconception> likely;  ///< what it probably comes from; the numbers agree
-  PointerDiff pointers;               ///< all pointers around a flipped or split edge, or empty
-  SurfaceFigure surface;              ///< the subdivided mesh with its wrong vertices, or empty
+  std::string look_at;            ///< pointer, function or idea to look at first
+  std::vector<StackFrame> stack;  ///< the student's frames, innermost first
+  Misconceptions likely;          ///< what it probably comes from; the numbers agree
+  PointerDiff pointers;           ///< all pointers around a flipped or split edge, or empty
+  SurfaceFigure surface;          ///< the subdivided mesh with its wrong vertices, or empty
 };
 
 /// What the judge says about a case.

@@ -36,6 +36,8 @@ struct ExerciseJudge {
   /// ending of the outcome is judged elsewhere. @throws WireError if a step is malformed
   void (*judge_steps)(const JudgeTask& task, Conventions& conventions,
                       CaseJudgement& judgement);
+
+  Misconceptions misconceptions = {};  ///< all that its findings can name
 };
 
 /// Makes sure of a claim that all steps are done. Call it when no step is wrong.

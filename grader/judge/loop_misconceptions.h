@@ -3,11 +3,13 @@
 // What a wrong Loop subdivision probably comes from.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "grader/judge/misconception.h"
 #include "grader/mesh/mesh_dump.h"
 #include "grader/mesh/polygon_mesh.h"
+#include "grader/subdivide/loop_rules.h"
 
 namespace meshgrade {
 
@@ -19,24 +21,42 @@ struct Origin {
   bool is_old() const { return a == b; }
 };
 
-/// Misconceptions about positions that explain all of `actual`.
-///
-/// @param old       the mesh before the step
-/// @param origins   for each refined vertex
-/// @param variants  the right positions, by every rule that is allowed
-/// @param others    positions by published rules that are not allowed here, each named
-/// @param actual    the student's positions, in the same order
-/// @param allowed   a length
-std::vector<Misconception> recognize_positions(const PolygonMesh& old,
-                                               const std::vector<Origin>& origins,
-                                               const std::vector<std::vector<Point3>>& variants,
-                                               const std::vector<Prediction<Point3>>& others,
-                                               const std::vector<Point3>& actual,
-                                               double allowed);
+/// The right positions by one of the published rules.
+struct RightPositions {
+  VertexRule rule;
+  std::vector<Point3> points;
+};
+
+/// Positions by a published rule that is not allowed here, and what to say to who takes it.
+struct OtherRule {
+  std::string
+      name;  ///< of the misconception; "rules-mixed" if only the cases before rule it out
+  std::string advice;
+  RightPositions positions;
+};
+
+/// One step of subdivision as the judge has it. Lists of points are in the order of `origins`.
+struct RefinedStep {
+  const PolygonMesh& old;              ///< the mesh before the step
+  const std::vector<Origin>& origins;  ///< of each refined vertex
+  std::vector<RightPositions> right;   ///< by every rule that is allowed
+  std::vector<OtherRule> others;       ///< by every rule that is not
+};
+
+/// All about Loop subdivision; those of them about which edges are flipped.
+const Misconceptions& loop_misconceptions();
+const Misconceptions& flip_misconceptions();
+
+/// Misconceptions about positions that explain all of `actual`, to `allowed`, a length.
+Misconceptions recognize_positions(const RefinedStep& step, const std::vector<Point3>& actual,
+                                   double allowed);
 
 /// Misconceptions about which edges are split and flipped that give the surface `actual`.
-/// `before` keeps all mesh rules; `actual` keeps all but perhaps `simple`.
-std::vector<Misconception> recognize_connectivity(const MeshDump& before,
-                                                  const MeshDump& actual);
+///
+/// @param before        keeps all mesh rules
+/// @param actual        may break them, but all its pointers lead to live elements
+/// @param first_marked  vertices from this number on were new in a level before
+Misconceptions recognize_connectivity(const MeshDump& before, const MeshDump& actual,
+                                      Ref first_marked);
 
 }  // namespace meshgrade

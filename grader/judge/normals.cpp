@@ -1,7 +1,9 @@
 #include "grader/judge/normals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace meshgrade {
@@ -61,36 +63,33 @@ std::vector<Point3> weighted_sums(const PolygonMesh& mesh, NormalWeight weight) 
   return sums;
 }
 
-/// For each boundary vertex the unit normal of its boundary loop, which is no face of the
-/// surface; zero for the others. The loop runs against the faces, so its normal points inwards.
-std::vector<Point3> boundary_loop_areas(const PolygonMesh& mesh) {
-  std::map<std::uint32_t, std::uint32_t> next;  // along the loop, against the faces
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-  for (const auto& t : mesh.polygons) {
-    for (std::size_t i = 0; i < 3; ++i)
-      ++sides[{t[i], t[(i + 1) % 3]}];
-  }
-  for (const auto& [edge, count] : sides) {
-    if (sides.count({edge.second, edge.first}) == 0) next[edge.second] = edge.first;
-  }
+/// What of a boundary loop is taken for a face.
+enum class LoopPart {
+  kTriangle,  ///< the vertex and the next two, like the corners of a face
+  kWhole,     ///< the polygon, as Face::normal() does
+};
+
+/// For each boundary vertex twice the area of its boundary loop, as a normal; zero for others.
+std::vector<Point3> boundary_loop_areas(const PolygonMesh& mesh, LoopPart part) {
+  const auto next = boundary_loops(mesh);
   std::vector<Point3> areas(mesh.positions.size(), Point3{});
   for (const auto& [vertex, after] : next) {
-    Point3 area{};
     const Point3& origin = mesh.positions[vertex];
     for (std::uint32_t v = after; next.at(v) != vertex; v = next.at(v)) {
-      add(area,
+      add(areas[vertex],
           cross(subtract(mesh.positions[v], origin),
                 subtract(mesh.positions[next.at(v)], origin)),
           1.0);
+      if (part == LoopPart::kTriangle) break;
     }
-    areas[vertex] = area;
   }
   return areas;
 }
 
-std::vector<Point3> with_boundary_loop(const PolygonMesh& mesh, NormalWeight weight) {
+std::vector<Point3> with_boundary_loop(const PolygonMesh& mesh, NormalWeight weight,
+                                       LoopPart part) {
   std::vector<Point3> sums = weighted_sums(mesh, weight);
-  const std::vector<Point3> loops = boundary_loop_areas(mesh);
+  const std::vector<Point3> loops = boundary_loop_areas(mesh, part);
   for (std::size_t v = 0; v < sums.size(); ++v) {
     const double size = length(loops[v]);
     if (size > 0.0) add(sums[v], loops[v], weight == NormalWeight::kEqual ? 1.0 / size : 1.0);
@@ -98,15 +97,18 @@ std::vector<Point3> with_boundary_loop(const PolygonMesh& mesh, NormalWeight wei
   return scaled_to_unit(std::move(sums));
 }
 
-std::vector<Point3> negated(std::vector<Point3> vectors) {
+std::vector<Point3> multiplied(std::vector<Point3> vectors, double factor) {
   for (Point3& v : vectors)
-    v = {-v[0], -v[1], -v[2]};
+    v = {factor * v[0], factor * v[1], factor * v[2]};
   return vectors;
 }
 
-/// True if every normal that is wrong becomes right by leaving one face of its fan out.
-bool misses_one_face(const PolygonMesh& mesh, const std::vector<Point3>& expected,
-                     const std::vector<Point3>& actual, double tolerance) {
+/// True if every normal that is wrong is explained by one of the faces around its vertex.
+/// `explains(area, sum, normal)` gets the face's normal and the sum of all, both weighted.
+template <class Explains>
+bool some_face_explains(const PolygonMesh& mesh, const std::vector<Point3>& expected,
+                        const std::vector<Point3>& actual, double tolerance,
+                        Explains explains) {
   const std::vector<Point3> sums = weighted_sums(mesh, NormalWeight::kArea);
   std::vector<bool> explained(actual.size());
   for (std::size_t v = 0; v < actual.size(); ++v) {
@@ -118,57 +120,102 @@ bool misses_one_face(const PolygonMesh& mesh, const std::vector<Point3>& expecte
         cross(subtract(mesh.positions[t[1]], p), subtract(mesh.positions[t[2]], p));
     for (std::uint32_t v : t) {
       if (v >= actual.size() || explained[v]) continue;
-      Point3 rest = sums[v];
-      add(rest, area, -1.0);
-      explained[v] = distance(scaled_to_unit({rest})[0], actual[v]) <= tolerance;
+      explained[v] = distance(explains(area, sums[v]), actual[v]) <= tolerance;
     }
   }
-  for (bool e : explained) {
-    if (!e) return false;
+  return std::find(explained.begin(), explained.end(), false) == explained.end();
+}
+
+using Predictions = std::vector<Prediction<Point3>>;
+
+/// Nothing is named after the boundary where there is none.
+void predict_at_boundary(const PolygonMesh& mesh, Predictions& predictions) {
+  const auto loops = boundary_loops(mesh);
+  if (loops.empty()) return;
+  for (NormalWeight weight : {NormalWeight::kArea, NormalWeight::kEqual}) {
+    for (LoopPart part : {LoopPart::kTriangle, LoopPart::kWhole}) {
+      predictions.push_back({"boundary-face-counted", with_boundary_loop(mesh, weight, part)});
+    }
   }
-  return true;
+  Prediction<Point3> nothing{"nothing-at-boundary", vertex_normals(mesh, NormalWeight::kArea)};
+  for (const auto& [vertex, after] : loops)
+    nothing.points[vertex] = {NAN, NAN, NAN};
+  predictions.push_back(std::move(nothing));
+}
+
+Predictions predict(const PolygonMesh& mesh, const std::vector<Point3>& expected) {
+  const std::vector<Point3> sums = weighted_sums(mesh, NormalWeight::kArea);
+  Predictions predictions{
+      {"equal-weights", vertex_normals(mesh, NormalWeight::kEqual)},
+      {"angle-weights", vertex_normals(mesh, NormalWeight::kAngle)},
+      {"area-twice", vertex_normals(mesh, NormalWeight::kAreaSquared)},
+      {"not-normalized", sums},
+      {"not-normalized", multiplied(sums, 0.5)},  // with the areas, not twice the areas
+      {"turned-around", multiplied(expected, -1.0)},
+  };
+  predict_at_boundary(mesh, predictions);
+  return predictions;
 }
 
 }  // namespace
+
+std::map<std::uint32_t, std::uint32_t> boundary_loops(const PolygonMesh& mesh) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+  for (const auto& t : mesh.polygons) {
+    for (std::size_t i = 0; i < 3; ++i)
+      sides.insert({t[i], t[(i + 1) % 3]});
+  }
+  std::map<std::uint32_t, std::uint32_t> next;
+  for (const auto& [from, to] : sides) {
+    if (sides.count({to, from}) == 0) next[to] = from;
+  }
+  return next;
+}
 
 std::vector<Point3> vertex_normals(const PolygonMesh& mesh, NormalWeight weight) {
   return scaled_to_unit(weighted_sums(mesh, weight));
 }
 
-std::vector<Misconception> recognize_normals(const PolygonMesh& mesh,
-                                             const std::vector<Point3>& expected,
-                                             const std::vector<Point3>& actual,
-                                             double tolerance) {
-  std::vector<Point3> halved = weighted_sums(mesh, NormalWeight::kArea);
-  for (Point3& v : halved)
-    v = {0.5 * v[0], 0.5 * v[1], 0.5 * v[2]};
-  std::vector<Prediction<Point3>> predictions{
-      {{"equal-weights", "every face counts the same: weight each normal by the face's area"},
-       vertex_normals(mesh, NormalWeight::kEqual)},
-      {{"angle-weights", "the faces are weighted by their angles: area is asked"},
-       vertex_normals(mesh, NormalWeight::kAngle)},
-      {{"area-twice",
-        "the area counts twice: the cross product is weighted by the area already"},
-       vertex_normals(mesh, NormalWeight::kAreaSquared)},
-      {{"not-normalized", "the sum is right, but its length is not made 1"},
-       weighted_sums(mesh, NormalWeight::kArea)},
-      {{"not-normalized", "the sum is right, but its length is not made 1"}, halved},
-      {{"turned-around", "the normals point inwards: swap the factors of the cross product"},
-       negated(expected)},
-      {{"boundary-face-counted",
-        "the boundary loop is counted as a face: skip faces with isBoundary()"},
-       with_boundary_loop(mesh, NormalWeight::kArea)},
-      {{"boundary-face-counted",
-        "the boundary loop is counted as a face: skip faces with isBoundary()"},
-       with_boundary_loop(mesh, NormalWeight::kEqual)},
+const Misconceptions& normal_misconceptions() {
+  static const Misconceptions known{
+      {"equal-weights", "every face counts the same: weight each normal by the face's area"},
+      {"angle-weights", "the faces are weighted by their angles: area is asked"},
+      {"area-twice",
+       "the area counts twice: the cross product is weighted by the area already"},
+      {"not-normalized", "the sum is right, but its length is not made 1"},
+      {"turned-around", "the normals point inwards: swap the factors of the cross product"},
+      {"boundary-face-counted",
+       "the boundary loop is counted as a face: skip faces with isBoundary()"},
+      {"nothing-at-boundary",
+       "on the boundary nothing is added up, and a vector of length 0 is scaled: does the walk "
+       "end at the boundary loop? Skip the loop and go on"},
+      {"one-face-only", "this is the normal of one face: go around the vertex, and add up all"},
+      {"face-missed",
+       "one face around the vertex is left out: the walk ends too early, or begins too late"},
   };
+  return known;
+}
+
+Misconceptions recognize_normals(const PolygonMesh& mesh, const std::vector<Point3>& expected,
+                                 const std::vector<Point3>& actual, double tolerance) {
+  const Misconceptions& known = normal_misconceptions();
+  Predictions predictions = predict(mesh, expected);
   for (auto& prediction : predictions)
     prediction.points.resize(actual.size());
-  std::vector<Misconception> likely = recognize(predictions, actual, tolerance);
-  if (likely.empty() && misses_one_face(mesh, expected, actual, tolerance)) {
-    likely.push_back({"face-missed",
-                      "one face around the vertex is left out: the walk ends too "
-                      "early, or begins too late"});
+  Misconceptions likely = recognize(known, predictions, actual, tolerance);
+  if (!likely.empty()) return likely;
+  const auto alone = [](const Point3& area, const Point3& /*sum*/) {
+    return scaled_to_unit({area})[0];
+  };
+  const auto without = [](const Point3& area, Point3 sum) {
+    add(sum, area, -1.0);
+    return scaled_to_unit({sum})[0];
+  };
+  if (some_face_explains(mesh, expected, actual, tolerance, alone)) {
+    likely.push_back(find_misconception(known, "one-face-only"));
+  }
+  if (some_face_explains(mesh, expected, actual, tolerance, without)) {
+    likely.push_back(find_misconception(known, "face-missed"));
   }
   return likely;
 }

@@ -18,9 +18,9 @@ Ref next_of(const MeshDump& mesh, Ref h) {
 }
 
 void make_triangle(MeshDump& mesh, Ref face, Ref x, Ref y, Ref z) {
-  mesh.halfedges[x].next = y;
   mesh.halfedges[y].next = z;
   mesh.halfedges[z].next = x;
+  mesh.halfedges[x].next = y;
   for (Ref h : {x, y, z})
     mesh.halfedges[h].face = face;
   mesh.faces[face].halfedge = x;
@@ -82,10 +82,12 @@ void model_flip(MeshDump& mesh, Ref edge) {
   const Ref c = mesh.halfedges[cb].vertex;
   const Ref left = mesh.halfedges[bc].face;
   const Ref right = mesh.halfedges[cb].face;
-  mesh.halfedges[bc].vertex = mesh.halfedges[dc].vertex;  // bc becomes d -> a
-  mesh.halfedges[cb].vertex = mesh.halfedges[ab].vertex;  // cb becomes a -> d
+  const Ref a = mesh.halfedges[ab].vertex;
+  const Ref d = mesh.halfedges[dc].vertex;
   make_triangle(mesh, left, bc, ab, bd);
   make_triangle(mesh, right, cb, dc, ca);
+  mesh.halfedges[bc].vertex = d;  // bc becomes d -> a
+  mesh.halfedges[cb].vertex = a;  // cb becomes a -> d
   mesh.vertices[b].halfedge = bd;
   mesh.vertices[c].halfedge = ca;
 }

@@ -20,7 +20,8 @@ struct Diamond {
 };
 Diamond diamond_of(const MeshDump& mesh, Ref edge);
 
-/// Turns an inner edge between two triangles.
+/// Turns an inner edge between two triangles. Of a mesh that breaks rules it makes what a flip
+/// makes that reads all its pointers first and writes them then: all still lead somewhere.
 void model_flip(MeshDump& mesh, Ref edge);
 
 /// Splits an edge, inner or boundary, between triangles. @return the new vertex

@@ -9,6 +9,7 @@
 #include "grader/base/text.h"
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/findings.h"
+#include "grader/judge/operation_advice.h"
 #include "grader/judge/operation_model.h"
 #include "grader/judge/pointer_diff.h"
 #include "grader/judge/surface_match.h"
@@ -242,6 +243,8 @@ class StepJudge {
            vertex_name(mine) + ".halfedge is " + halfedge_name(h) + ", which leads to " +
                vertex_name(end),
            vertex_name(mine) + ".halfedge");
+    judgement_.findings.back().likely = {
+        find_misconception(split_misconceptions(), "anchor-on-new-edge")};
     return false;
   }
 
@@ -257,6 +260,8 @@ class StepJudge {
                ": " + point_text(expected),
            point_text(actual) + ", off by " + error_text(error, size, task_.tolerance),
            vertex_name(mine) + ".position");
+    judgement_.findings.back().likely =
+        recognize_midpoint(before_, diamond_, actual, task_.tolerance * size);
   }
 
   /// Puts what is wrong pointer by pointer in front of the rules that are broken by it.
@@ -273,7 +278,7 @@ class StepJudge {
       Finding lead = judgement_.findings[0];
       lead.element = first.role.empty() ? first.name : first.name + ", of " + first.role;
       lead.expected = first.name + " is " + first.expected;
-      lead.actual = first.name + (first.was_set ? " was set to " : " is still ") + first.actual;
+      lead.actual = as_left(first);
       lead.look_at = first.name;
       judgement_.findings.insert(judgement_.findings.begin(), std::move(lead));
     }
@@ -307,7 +312,7 @@ class StepJudge {
              plural(c.boundaries, "boundary loop");
     };
     report("counts", std::string(rule_meaning("counts")), "the mesh", text(want), text(have),
-           "calls of newVertex, newEdge, newFace, newHalfedge, newBoundary");
+           count_advice(want, have));
     return false;
   }
 

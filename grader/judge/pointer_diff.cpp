@@ -128,8 +128,12 @@ class Differ {
     if (cell.wrong) {
       const std::size_t column = row.cells.size();
       const std::string owner = row.element.empty() ? "the new " + row.role : row.element;
-      const WrongPointer pointer{owner + "." + table().columns[column], row.role, cell.expected,
-                                 cell.yours, was_set};
+      const WrongPointer pointer{owner + "." + table().columns[column],
+                                 row.role,
+                                 cell.expected,
+                                 cell.yours,
+                                 was_set,
+                                 cell.before.empty()};
       wrong_cells_.push_back(
           {kind_, ref, column, was_set, pointer.name + " " + must_be_text(pointer)});
       diff_.wrong.push_back(pointer);
@@ -313,10 +317,16 @@ class Differ {
 
 }  // namespace
 
+std::string as_left(const WrongPointer& pointer) {
+  if (pointer.was_set) return pointer.name + " was set to " + pointer.actual;
+  return pointer.name + " is still " + pointer.actual + (pointer.is_new ? "" : ", as before");
+}
+
 std::string must_be_text(const WrongPointer& pointer) {
-  const std::string text = "must be " + pointer.expected;
+  std::string text = "must be " + pointer.expected;
   if (pointer.was_set) return text + ", you set " + pointer.actual;
-  return text + (pointer.actual.empty() ? "" : ", still " + pointer.actual);
+  if (!pointer.actual.empty()) text += ", is still " + pointer.actual;
+  return text + (pointer.is_new ? "" : ", as before");
 }
 
 PointerDiff diff_pointers(const MeshDump& before, const MeshDump& after,

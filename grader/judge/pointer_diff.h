@@ -44,8 +44,12 @@ struct WrongPointer {
   std::string role;      ///< of its element
   std::string expected;  ///< "h5 (ca)"
   std::string actual;
-  bool was_set = false;  ///< the student's code set it, but to something wrong
+  bool was_set = false;  ///< it is not what it was before, but not what it must be either
+  bool is_new = false;   ///< its element did not exist before
 };
+
+/// "h12.next was set to h5", "h12.next is still h5, as before", "h12.next is still unset"
+std::string as_left(const WrongPointer& pointer);
 
 struct PointerDiff {
   std::string corners;  ///< which vertex is a, b, c, d, m

@@ -32,7 +32,8 @@ Json to_value(const PointerDiff& diff) {
                               {"role", pointer.role},
                               {"expected", pointer.expected},
                               {"actual", pointer.actual},
-                              {"was_set", pointer.was_set}});
+                              {"was_set", pointer.was_set},
+                              {"is_new", pointer.is_new}});
   }
   value["tables"] = Json::array();
   for (const PointerTable& table : diff.tables)

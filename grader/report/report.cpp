@@ -129,6 +129,7 @@ ExerciseReport to_exercise_report(const JudgedExercise& judged, const SourceLine
 void hide_details(CaseReport& c, HiddenShow show) {
   c.title = "a hidden case";
   c.shrunk_from.clear();
+  c.figure.clear();
   c.note = c.verdict == Verdict::kPassed ? "" : "its details are not shown";
   c.output.clear();
   c.output_bytes = 0;
@@ -176,7 +177,7 @@ Report make_report(const Assignment& assignment, const Submission& submission,
   report.notes = submission.notes;
   for (const BuiltFile& file : files) {
     const bool whole = file.ok && file.left_out.empty();
-    report.files.push_back({file.name, whole, file.messages});
+    report.files.push_back({file.name, whole, file.messages, file.linked});
     report.notes.insert(report.notes.end(), file.notes.begin(), file.notes.end());
     for (const LeftOut& left : file.left_out) {
       report.notes.push_back(file.name + ":" + std::to_string(left.line) + ": " +

@@ -73,6 +73,7 @@ struct FileReport {
   std::string name;
   bool compiled = false;
   std::string messages;
+  bool linked = true;  ///< false if it compiles, but not together with the other files
 };
 
 /// Everything that any rendering shows.

@@ -50,12 +50,15 @@ void read(const Json& value, PointerTable& table) {
 
 void read(const Json& value, WrongPointer& pointer) {
   pointer = {value.at("pointer"), value.at("role"), value.at("expected"), value.at("actual"),
-             value.at("was_set")};
+             value.at("was_set"), value.at("is_new")};
 }
 
 void read(const Json& value, PointerDiff& diff) {
-  diff = {value.at("corners"), read_list<PointerTable>(value, "tables"),
-          read_list<WrongPointer>(value, "wrong"), value.at("missing"), value.at("surplus")};
+  diff.corners = value.at("corners");
+  diff.tables = read_list<PointerTable>(value, "tables");
+  diff.wrong = read_list<WrongPointer>(value, "wrong");
+  diff.missing = value.at("missing");
+  diff.surplus = value.at("surplus");
 }
 
 void read(const Json& value, Misconception& misconception) {
@@ -92,6 +95,7 @@ void read(const Json& value, CaseReport& report) {
   report.group = value.at("group");
   report.title = value.at("title");
   report.shrunk_from = value.value("shrunk_from", "");
+  report.figure = value.value("figure", "");
   report.verdict = read_verdict(value);
   report.note = value.at("note");
   report.excused = value.value("excused", false);

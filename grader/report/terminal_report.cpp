@@ -86,11 +86,14 @@ class TerminalReport {
     if (file.compiled && !style_.verbose) return;
     if (file.compiled && file.messages.empty()) return;
     out_ += "\n" + paint("1", file.name) +
-            (file.compiled ? " compiled with warnings:\n" : " does not compile:\n");
+            (file.compiled ? " compiled with warnings:\n"
+             : file.linked ? " does not compile:\n"
+                           : " does not link:\n");
     const std::vector<std::string> lines = split_lines(file.messages);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (i == kMostMessageLines && !style_.verbose) {
-        out_ += "    ... " + plural(lines.size() - i, "more line") + "; --verbose shows all\n";
+        out_ += "    ... " + plural(lines.size() - i, "more line") + "; " +
+                style_.all_shown_by + "\n";
         break;
       }
       out_ += "    " + lines[i] + "\n";
@@ -98,12 +101,13 @@ class TerminalReport {
   }
 
   void add_exercise(const ExerciseReport& exercise) {
-    const bool lost =
-        exercise.points < exercise.max_points || exercise.verdict != Verdict::kPassed;
+    const bool lost = exercise.points < exercise.max_points ||
+                      exercise.extra_points < exercise.max_extra_points ||
+                      exercise.verdict != Verdict::kPassed;
     if (!lost && exercise.stand_ins.empty() && !style_.verbose) return;
     out_ += "\n" + paint("1", exercise.name) + ": " + paint_verdict(exercise.verdict, 0) +
             ", " + number_text(exercise.points) + " of " + number_text(exercise.max_points) +
-            " points\n";
+            " points" + extra_text(exercise.extra_points, exercise.max_extra_points) + "\n";
     for (const GroupReport& group : exercise.groups)
       add_group(group);
     for (const std::string& note : exercise.notes)
@@ -130,7 +134,7 @@ class TerminalReport {
   void add_first_failure(const ExerciseReport& exercise) {
     const CaseReport* first = first_failure(exercise);
     if (first == nullptr) return;
-    if (exercise.verdict == Verdict::kNotImplemented && first->findings.empty()) {
+    if (first->verdict == Verdict::kNotImplemented && first->findings.empty()) {
       out_ += "  " + first->note + "\n";
       return;
     }
@@ -151,7 +155,7 @@ class TerminalReport {
     }
     if (shown < c.findings.size()) {
       out_ += "    " + pad("and", 10) + plural(c.findings.size() - shown, "more finding") +
-              " in this case; --verbose shows all\n";
+              " in this case; " + style_.all_shown_by + "\n";
     }
     add_field("note", c.note);
     if (!c.figure.empty()) add_field("picture", style_.figures + "/" + c.figure);
@@ -174,12 +178,26 @@ class TerminalReport {
       add_field(&m == f.likely.data() ? "probably" : "or", m.advice);
     }
     add_field("look at", f.look_at);
-    for (const CodePlace& place : report.places) {
-      add_field(&place == report.places.data() ? "in" : "called by",
-                place.file + ":" + std::to_string(place.line) + ", " + place.function);
+    add_places(report.places);
+    add_pointers(f.pointers);
+  }
+
+  /// The call stack. What calls itself is shown once.
+  void add_places(const std::vector<CodePlace>& places) {
+    for (std::size_t i = 0, same = 1; i < places.size(); i += same) {
+      const CodePlace& place = places[i];
+      same = 1;
+      while (i + same < places.size() && is_same(places[i + same], place))
+        ++same;
+      add_field(i == 0 ? "in" : "called by",
+                place.file + ":" + std::to_string(place.line) + ", " + place.function +
+                    (same > 1 ? ", which calls itself again and again" : ""));
       add_field("", place.code.empty() ? "" : "  | " + place.code);
     }
-    add_pointers(f.pointers);
+  }
+
+  static bool is_same(const CodePlace& a, const CodePlace& b) {
+    return a.file == b.file && a.line == b.line && a.function == b.function;
   }
 
   void add_pointers(const PointerDiff& diff) {
@@ -192,7 +210,7 @@ class TerminalReport {
           .push_back(pad(pointer.name, 16) + must_be_text(pointer));
     }
     add_list("set, but wrong:", wrong);
-    add_list("not set, but must be:", not_set);
+    add_list("not changed, but must be:", not_set);
     for (const PointerTable& table : diff.tables)
       add_pointer_table(table);
   }

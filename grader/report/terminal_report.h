@@ -9,14 +9,16 @@ namespace meshgrade {
 
 struct TerminalStyle {
   bool color = false;
-  bool verbose = false;      ///< every finding of every case, and what the code printed
+  bool verbose = false;  ///< every finding of every case, and what the code printed
+  /// What shows all, where something is left out for lack of room.
+  std::string all_shown_by = "--verbose shows all";
   std::string figures = {};  ///< the folder that pictures were written to
   /// The command that runs a case again; if it is empty, none is shown.
   std::function<std::string(const std::string& case_id)> again = {};
 };
 
-/// The report as text for a terminal: a table, then for each exercise that lost points its
-/// first and simplest failure.
+/// The report as text for a terminal: a table, then for each exercise that lost points, be it
+/// of extra credit, its first and simplest failure.
 std::string to_terminal(const Report& report, const TerminalStyle& style);
 
 /// Only the files that do not compile, and the cases, without points.

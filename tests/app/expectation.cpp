@@ -28,7 +28,7 @@ Expectation read_expectation(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(file)) return expected;
   const toml::table table = toml::parse_file(file.string());
   refuse_unknown_keys(table, {"verdict", "rule", "points", "extra_points", "says", "others",
-                              "alone", "limits"});
+                              "alone", "limits", "probably", "options"});
   expected.verdict = table["verdict"].value_or(expected.verdict);
   expected.rule = table["rule"].value_or(expected.rule);
   expected.points = table["points"].value<double>();
@@ -37,6 +37,14 @@ Expectation read_expectation(const std::filesystem::path& folder) {
   if (const toml::array* says = table["says"].as_array()) {
     for (const toml::node& text : *says)
       expected.says.push_back(text.value<std::string>().value());
+  }
+  if (const toml::array* names = table["probably"].as_array()) {
+    for (const toml::node& name : *names)
+      expected.probably.insert(name.value<std::string>().value());
+  }
+  if (const toml::table* options = table["options"].as_table()) {
+    for (const auto& [name, value] : *options)
+      expected.options[std::string(name.str())] = value.value<std::string>().value();
   }
   if (const toml::table* others = table["others"].as_table()) {
     for (const auto& [exercise, verdict] : *others)

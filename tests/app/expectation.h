@@ -7,12 +7,17 @@
 //   points = 14                 without extra credit
 //   extra_points = 5            nothing is asked if left out
 //   says = ["h4.next"]          texts that the student's page on the exercise contains
+//   probably = ["t-swapped"]    misconceptions that are named in any of its cases; none if left
+//                               out
 //
 //   [others]                    other exercises that are graded along, and their verdicts
 //   edge_split = "passed"
 //
 //   [limits]                    tighter limits than the assignment's, to be quick
 //   run_seconds = 1
+//
+//   [options]                   of the exercise, in place of the assignment's
+//   vertex_rule = "loop"
 //
 // A folder in right/ needs the file only if it does not get all the extra credit (points and
 // extra_points are then of the whole assignment) or if it is complete, without the reference:
@@ -22,6 +27,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,7 +42,9 @@ struct Expectation {
   std::optional<double> points;
   std::optional<double> extra_points;
   std::vector<std::string> says;
+  std::set<std::string> probably;
   std::map<std::string, std::string> others;
+  std::map<std::string, std::string> options;
   bool alone = false;
   std::vector<std::pair<std::uint32_t Limits::*, std::uint32_t>> limits;
 };

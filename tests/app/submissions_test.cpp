@@ -8,11 +8,13 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "grader/app/context.h"
 #include "grader/app/grading.h"
+#include "grader/judge/judge.h"
 #include "grader/report/terminal_report.h"
 #include "tests/app/expectation.h"
 
@@ -100,6 +102,11 @@ Report grade_folder(const fs::path& folder, const Expectation& expected,
   Assignment assignment = read_assignment(standard_assignment());
   for (const auto& [limit, value] : expected.limits)
     assignment.limits.*limit = value;
+  for (ExerciseRubric& rubric : assignment.exercises) {
+    if (rubric.name != folder.parent_path().filename()) continue;
+    for (const auto& [option, value] : expected.options)
+      rubric.options.at(option) = value;
+  }
   Submission submission = submission_in(folder, expected.alone, assignment.submission);
   if (!exercises.empty()) drop_other_files(submission, exercises);
   return grade(assignment, submission, find_home(), exercises, [](const std::string&) {});
@@ -109,6 +116,18 @@ Report grade_folder(const fs::path& folder, const Expectation& expected,
 std::string page_on(const ExerciseReport& exercise, Report report) {
   report.exercises = {exercise};
   return to_terminal(report, {});
+}
+
+/// The misconceptions that any finding about the exercise names.
+std::set<std::string> named_in(const ExerciseReport& exercise) {
+  std::set<std::string> names;
+  for (const CaseReport& c : exercise.cases) {
+    for (const FindingReport& report : c.findings) {
+      for (const Misconception& m : report.finding.likely)
+        names.insert(m.name);
+    }
+  }
+  return names;
 }
 
 /// The name on the page's first line "rule"; empty if there is none.
@@ -133,6 +152,7 @@ class WrongSubmission : public testing::TestWithParam<Folder> {
     EXPECT_EQ(exercise.extra_points, expected.extra_points.value_or(exercise.extra_points));
     for (const std::string& text : expected.says)
       EXPECT_NE(page.find(text), std::string::npos) << "the page does not say: " << text;
+    EXPECT_EQ(named_in(exercise), expected.probably);
   }
 };
 
@@ -153,6 +173,23 @@ TEST_P(WrongSubmission, IsFoundOut) {
   }
 }
 
+/// A misconception that no submission triggers may be predicted wrongly, and one that comes
+/// only with others may be mistaken for them.
+TEST(Misconceptions, EachHasASubmissionThatTriggersExactlyIt) {
+  const Assignment assignment = read_assignment(standard_assignment());
+  for (const ExerciseRubric& rubric : assignment.exercises) {
+    std::set<std::string> known;
+    for (const Misconception& m : find_exercise_judge(rubric).misconceptions)
+      EXPECT_TRUE(known.insert(m.name).second) << rubric.name << " has " << m.name << " twice";
+    std::set<std::string> triggered;
+    for (const Folder& folder : folders_in(kSubmissions / "wrong" / rubric.name)) {
+      const std::set<std::string> named = read_expectation(folder.path).probably;
+      if (named.size() == 1) triggered.insert(*named.begin());
+    }
+    EXPECT_EQ(triggered, known) << rubric.name;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Submissions, WrongSubmission, testing::ValuesIn(wrong_submissions()),
                          test_name);
 
@@ -164,6 +201,8 @@ TEST_P(RightSubmission, GetsFullPoints) {
   const std::string page = to_terminal(report, {});
   SCOPED_TRACE(page);
   EXPECT_EQ(report.points, report.max_points);
+  for (const ExerciseReport& exercise : report.exercises)
+    EXPECT_EQ(named_in(exercise), std::set<std::string>()) << exercise.name;
   EXPECT_EQ(report.extra_points, expected.extra_points.value_or(report.max_extra_points));
   const std::string everything = to_terminal(report, {false, true});
   for (const std::string& text : expected.says)

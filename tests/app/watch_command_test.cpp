@@ -92,5 +92,16 @@ TEST_F(WatchCommand, ChecksAndEndsWithZeroOnCtrlC) {
   EXPECT_THAT(result.output, HasSubstr("10 of 10 points"));
 }
 
+TEST_F(WatchCommand, NamesACommandThatShowsAll) {
+  const std::string folder = wrong("edge_flip/next_forgotten");
+  Command command;
+  command.arguments = {"timeout",  "--preserve-status", "-s",    "INT",
+                       "12",       MESHGRADE_PROGRAM,   "watch", folder,
+                       "edge_flip"};
+  const ProcessResult result = run_process(command);
+  EXPECT_THAT(result.output, HasSubstr("more finding"));
+  EXPECT_THAT(result.output, HasSubstr("./meshgrade check " + folder + " --verbose shows all"));
+}
+
 }  // namespace
 }  // namespace meshgrade

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "grader/cases/mesh_input.h"
 #include "tests/support/sample_meshes.h"
 #include "tests/support/submissions.h"
@@ -60,6 +63,52 @@ TEST(Build, SameFunctionInTwoFilesLeavesOneOutWithAMessage) {
   EXPECT_NE(build.find("b.cpp")->messages.find("helper"), std::string::npos);
   EXPECT_TRUE(is_clean(build, build.find("b.cpp")->messages));
   EXPECT_EQ(first_normal(build), (Point3{1, 0, 0}));
+}
+
+TEST(Build, LinkErrorIsToldInPlainWordsFirst) {
+  const Build build = build_sources(
+      {{"a.cpp", "int helper() { return 1; }\n"}, {"b.cpp", "int helper() { return 2; }\n"}});
+  EXPECT_TRUE(build.find("a.cpp")->linked);
+  EXPECT_FALSE(build.find("b.cpp")->linked);
+  const std::string plain =
+      "helper is defined in a.cpp as well; make one of them static, or rename it\n";
+  EXPECT_EQ(build.find("b.cpp")->messages.substr(0, plain.size()), plain)
+      << build.find("b.cpp")->messages;
+}
+
+/// A compiler that breaks `times` times and then works.
+Home home_with_breaking_compiler(const ScratchFolder& folder, int times) {
+  Home home = test_home();
+  const std::filesystem::path script = folder.path() / "compiler";
+  const std::string count = (folder.path() / "count").string();
+  std::ofstream(script) << "#!/bin/sh\n"
+                        << "echo x >> " << count << "\n"
+                        << "case $(wc -l < " << count << ") in\n"
+                        << "  [1-" << times << "]) kill -9 $$ ;;\n"
+                        << "esac\n"
+                        << "exec " << home.compiler << " \"$@\"\n";
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  home.compiler = script.string();
+  return home;
+}
+
+TEST(Build, CompilerThatBreaksOnceIsAskedAgain) {
+  const ScratchFolder folder;
+  const Build build = build_submission(submission_of({kGoodNormal}),
+                                       home_with_breaking_compiler(folder, 1), Limits{});
+  EXPECT_TRUE(build.files[0].ok) << build.files[0].messages;
+  EXPECT_FALSE(build.files[0].compiler_died);
+  EXPECT_EQ(first_normal(build), (Point3{1, 0, 0}));
+}
+
+TEST(Build, CompilerThatBreaksTwiceIsNotTheStudentsFault) {
+  const ScratchFolder folder;
+  const Build build = build_submission(submission_of({kGoodNormal}),
+                                       home_with_breaking_compiler(folder, 2), Limits{});
+  EXPECT_FALSE(build.files[0].ok);
+  EXPECT_TRUE(build.files[0].compiler_died);
+  EXPECT_NE(build.files[0].messages.find("no fault of the code"), std::string::npos);
+  EXPECT_FALSE(build_sources({{"a.cpp", "int f( {\n"}}).files[0].compiler_died);
 }
 
 TEST(Build, FunctionThatIsNowhereCostsOnlyItsCaller) {

@@ -11,6 +11,10 @@ using Net = std::vector<std::vector<Point3>>;
 
 constexpr std::uint64_t kNoSteps = 1000;  // patches have no handles to step through
 
+/// A place (u, v) that is another one with u and v swapped, with 1 - u and 1 - v, with u twice
+/// and with v twice: so that the answer tells these mistakes apart.
+constexpr std::array<double, 2> kPlace{0.25, 0.625};
+
 std::vector<Point3> random_row(std::size_t count, Random& random) {
   std::vector<Point3> row;
   for (std::size_t i = 0; i < count; ++i) {
@@ -71,17 +75,17 @@ void make_bezier_patch_cases(CaseMaker& maker) {
     }
   }
   add_surface(maker, "surface", "wavy.bez", to_net(maker.patches("wavy.bez").at(0)),
-              {{0.25, 0.75}, {0.5, 0.5}, {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}});
+              {kPlace, {0.5, 0.5}, {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}});
   for (int i = 0; i < 6; ++i) {
     add_surface(maker, "surface", "a random net", random_net(4, 4, random),
-                {{0.25, 0.75}, {random.unit(), random.unit()}, {1.0, 0.0}});
+                {kPlace, {random.unit(), random.unit()}, {1.0, 0.0}});
   }
   add_surface(maker, "stress", "net_3x5.bez", to_net(maker.patches("net_3x5.bez").at(0)),
-              {{0.25, 0.75}, {0.0, 1.0}, {random.unit(), random.unit()}});
+              {kPlace, {0.0, 1.0}, {random.unit(), random.unit()}});
   for (std::size_t rows : {2U, 3U, 5U}) {
     for (std::size_t columns : {2U, 4U, 6U}) {
       add_surface(maker, "stress", "a random net", random_net(rows, columns, random),
-                  {{0.25, 0.75}, {random.unit(), random.unit()}});
+                  {kPlace, {random.unit(), random.unit()}});
     }
   }
   int number = 0;

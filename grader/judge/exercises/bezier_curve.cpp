@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <cmath>
 
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
@@ -11,24 +11,34 @@
 namespace meshgrade {
 namespace {
 
-/// What one step gives to those who misunderstand it.
-std::vector<Prediction<Point2>> predict(const std::vector<Point2>& given, double t) {
-  const std::vector<Point2> halfway = de_casteljau_step(given, t);
-  return {
-      {{"t-swapped", "t and 1 - t are swapped: at t = 0 the result begins at points[i]"},
-       de_casteljau_step(given, 1.0 - t)},
-      {{"t-ignored", "the points are always halved: the member t is not used"},
-       de_casteljau_step(given, 0.5)},
-      {{"t-truncated", "t has become a whole number: 0"}, de_casteljau_step(given, 0.0)},
-      {{"whole-curve",
-        "this is the point of the whole curve: evaluateStep makes one level only, and whoever "
-        "calls it repeats it"},
-       {bernstein(given, t)}},
-      {{"two-steps", "the step was applied twice"}, de_casteljau_step(halfway, t)},
-      {{"unchanged", "the points are returned as they came"}, given},
-      {{"not-computed", "all points are (0, 0): were they computed?"},
-       std::vector<Point2>(given.size() - 1)},
+const Misconceptions& known_misconceptions() {
+  static const Misconceptions known{
+      {"t-swapped", "t and 1 - t are swapped: at t = 0 the result begins at points[i]"},
+      {"t-ignored", "the points are always halved: the member t is not used"},
+      {"t-truncated",
+       "t has become a whole number: 0. Is it kept in an int, or divided as whole numbers?"},
+      {"whole-curve",
+       "this is the point of the whole curve: evaluateStep makes one level only, and whoever "
+       "calls it repeats it"},
+      {"two-steps", "the step was applied twice"},
+      {"unchanged", "the points are returned as they came"},
+      {"not-computed", "all points are (0, 0): were they computed?"},
   };
+  return known;
+}
+
+/// What one step gives to those who misunderstand it. Nothing at the ends of the curve, where
+/// too many mistakes give the same control points.
+std::vector<Prediction<Point2>> predict(const std::vector<Point2>& given, double t) {
+  if (t == 0.0 || t == 1.0) return {};
+  const std::vector<Point2> halfway = de_casteljau_step(given, t);
+  return {{"t-swapped", de_casteljau_step(given, 1.0 - t)},
+          {"t-ignored", de_casteljau_step(given, 0.5)},
+          {"t-truncated", de_casteljau_step(given, std::trunc(t))},
+          {"whole-curve", {bernstein(given, t)}},
+          {"two-steps", de_casteljau_step(halfway, t)},
+          {"unchanged", given},
+          {"not-computed", std::vector<Point2>(given.size() - 1)}};
 }
 
 class StepsJudge {
@@ -41,11 +51,11 @@ class StepsJudge {
     where_ = input_.steps == 1 ? ""
                                : "in step " + std::to_string(index + 1) + " of " +
                                      std::to_string(input_.steps);
-    if (leaves_input(given, step) && has_count(given, step) && has_values(given, step)) {
-      return true;
-    }
-    judgement_.findings.back().likely = recognize(predict(given, input_.t), step.result,
-                                                  task_.tolerance * extent(input_.points));
+    if (!leaves_input(given, step)) return false;
+    if (has_count(given, step) && has_values(given, step)) return true;
+    judgement_.findings.back().likely =
+        recognize(known_misconceptions(), predict(given, input_.t), step.result,
+                  task_.tolerance * extent(input_.points));
     return false;
   }
 
@@ -131,7 +141,7 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
 
 ExerciseJudge bezier_curve_judge(const ExerciseRubric& rubric) {
   refuse_unknown_options(rubric, {});
-  return {{"BezierCurve::evaluateStep"}, {}, judge_steps};
+  return {{"BezierCurve::evaluateStep"}, {}, judge_steps, known_misconceptions()};
 }
 
 }  // namespace meshgrade

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
 #include "grader/judge/bezier_forms.h"
@@ -55,41 +57,60 @@ std::vector<Point3> expected_result(const PatchInput& input, double u, double v)
 
 using Predictions = std::vector<Prediction<Point3>>;
 
+const Misconceptions& known_misconceptions() {
+  static const Misconceptions known{
+      {"t-swapped", "t and 1 - t are swapped"},
+      {"t-truncated",
+       "t has become a whole number: 0. Or is this simply the first control point?"},
+      {"whole-curve", "this is the point of the whole curve; evaluateStep makes one level"},
+      {"two-steps", "the step was applied twice"},
+      {"first-level", "this is the first point after one level: repeat until one is left"},
+      {"last-of-first-level",
+       "this is the last point after one level: repeat until one is left"},
+      {"last-point", "this is the last control point"},
+      {"uv-swapped", "u and v are swapped: rows are evaluated at u, their results at v"},
+      {"u-twice", "u is used in both directions"},
+      {"v-twice", "v is used in both directions"},
+      {"first-row", "this is a point of the first row only"},
+      {"last-row", "this is a point of the last row only"},
+      {"not-computed", "this is (0, 0, 0): was it computed?"},
+  };
+  return known;
+}
+
 Predictions predict_step(const std::vector<Point3>& row, double t) {
-  return {
-      {{"t-swapped", "t and 1 - t are swapped"}, de_casteljau_step(row, 1.0 - t)},
-      {{"t-truncated", "t has become a whole number: 0"}, de_casteljau_step(row, 0.0)},
-      {{"whole-curve", "this is the point of the whole curve; evaluateStep makes one level"},
-       {bernstein(row, t)}},
-      {{"two-steps", "the step was applied twice"},
-       de_casteljau_step(de_casteljau_step(row, t), t)}};
+  return {{"t-swapped", de_casteljau_step(row, 1.0 - t)},
+          {"t-truncated", de_casteljau_step(row, std::trunc(t))},
+          {"whole-curve", {bernstein(row, t)}},
+          {"two-steps", de_casteljau_step(de_casteljau_step(row, t), t)},
+          {"not-computed", std::vector<Point3>(row.size() - 1)}};
 }
 
 Predictions predict_line(const std::vector<Point3>& row, double t) {
   const std::vector<Point3> level = de_casteljau_step(row, t);
-  return {{{"t-swapped", "t and 1 - t are swapped"}, {bernstein(row, 1.0 - t)}},
-          {{"first-level", "this is the first point after one level: repeat until one is left"},
-           {level.front()}},
-          {{"last-of-first-level",
-            "this is the last point after one level: repeat until one is left"},
-           {level.back()}},
-          {{"first-point", "this is the first control point"}, {row.front()}},
-          {{"last-point", "this is the last control point"}, {row.back()}},
-          {{"not-computed", "this is (0, 0, 0): was it computed?"}, {Point3{}}}};
+  return {{"t-swapped", {bernstein(row, 1.0 - t)}},
+          {"t-truncated", {bernstein(row, std::trunc(t))}},
+          {"first-level", {level.front()}},
+          {"last-of-first-level", {level.back()}},
+          {"last-point", {row.back()}},
+          {"not-computed", {Point3{}}}};
 }
 
 Predictions predict_surface(const std::vector<std::vector<Point3>>& net, double u, double v) {
-  return {{{"uv-swapped", "u and v are swapped: rows are evaluated at u, their results at v"},
-           {tensor_bernstein(net, v, u)}},
-          {{"t-swapped", "t and 1 - t are swapped"}, {tensor_bernstein(net, 1.0 - u, 1.0 - v)}},
-          {{"u-twice", "u is used in both directions"}, {tensor_bernstein(net, u, u)}},
-          {{"v-twice", "v is used in both directions"}, {tensor_bernstein(net, v, v)}},
-          {{"first-row", "this is a point of the first row only"}, {bernstein(net.front(), u)}},
-          {{"last-row", "this is a point of the last row only"}, {bernstein(net.back(), u)}},
-          {{"not-computed", "this is (0, 0, 0): was it computed?"}, {Point3{}}}};
+  return {{"uv-swapped", {tensor_bernstein(net, v, u)}},
+          {"t-swapped", {tensor_bernstein(net, 1.0 - u, 1.0 - v)}},
+          {"t-truncated", {tensor_bernstein(net, std::trunc(u), std::trunc(v))}},
+          {"u-twice", {tensor_bernstein(net, u, u)}},
+          {"v-twice", {tensor_bernstein(net, v, v)}},
+          {"first-row", {bernstein(net.front(), u)}},
+          {"last-row", {bernstein(net.back(), u)}},
+          {"last-point", {net.back().back()}},
+          {"not-computed", {Point3{}}}};
 }
 
+/// Nothing at the ends of a curve, where too many mistakes give the same control points.
 Predictions predict(const PatchInput& input, double u, double v) {
+  if (u == 0.0 || u == 1.0) return {};
   switch (input.function) {
     case PatchFunction::kStep:
       return predict_step(input.net[0], u);
@@ -122,7 +143,8 @@ void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t in
   const std::string name = function_name(input.function);
   const double size = size_of(input);
   const auto likely = [&] {
-    return recognize(predict(input, place[0], place[1]), actual, task.tolerance * size);
+    return recognize(known_misconceptions(), predict(input, place[0], place[1]), actual,
+                     task.tolerance * size);
   };
   judgement.verdict = Verdict::kFailed;
   if (actual.size() != expected.size()) {
@@ -166,7 +188,8 @@ ExerciseJudge bezier_patch_judge(const ExerciseRubric& rubric) {
   refuse_unknown_options(rubric, {});
   return {{"BezierPatch::evaluateStep", "BezierPatch::evaluate1D", "BezierPatch::evaluate"},
           {},
-          judge_steps};
+          judge_steps,
+          known_misconceptions()};
 }
 
 }  // namespace meshgrade

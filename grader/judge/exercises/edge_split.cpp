@@ -1,3 +1,4 @@
+#include "grader/judge/operation_advice.h"
 #include "grader/judge/operations_judge.h"
 #include "grader/judge/options.h"
 
@@ -9,7 +10,8 @@ ExerciseJudge edge_split_judge(const ExerciseRubric& rubric) {
           {},
           [](const JudgeTask& task, Conventions& /*conventions*/, CaseJudgement& judgement) {
             judge_operations(task, judgement);
-          }};
+          },
+          split_misconceptions()};
 }
 
 }  // namespace meshgrade

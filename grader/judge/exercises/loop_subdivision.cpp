@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "grader/base/errors.h"
 #include "grader/base/text.h"
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/findings.h"
@@ -81,6 +83,49 @@ MeshDump to_surface(const PolygonMesh& polygons) {
   return dump;
 }
 
+Conventions allowed_variants(const ExerciseRubric& rubric) {
+  const std::string vertex = choose_option(rubric, "vertex_rule", {"either", "loop", "warren"});
+  const std::string corner =
+      choose_option(rubric, "corner_rule", {"either", "smooth", "corner"});
+  Conventions allowed;
+  for (const Variant& variant : kVariants) {
+    const bool is_loop = variant.vertex_rule == VertexRule::kLoop;
+    const bool is_smooth = variant.corner_rule == CornerRule::kSmooth;
+    if (vertex != "either" && (vertex == "loop") != is_loop) continue;
+    if (corner != "either" && (corner == "smooth") != is_smooth) continue;
+    allowed.insert(variant.name);
+  }
+  return allowed;
+}
+
+const Variant& find_variant(const std::string& name) {
+  for (const Variant& variant : kVariants) {
+    if (name == variant.name) return variant;
+  }
+  throw GraderError("no weights are called \"" + name + "\"");
+}
+
+/// The weights of a point, to look at.
+std::string formula(bool old, bool on_boundary) {
+  if (on_boundary) {
+    return old ? "3/4 v + 1/8 (a + b), with the neighbours a and b along the boundary"
+               : "1/2 (a + b), the middle of the edge a-b on the boundary";
+  }
+  if (!old)
+    return "3/8 (a + b) + 1/8 (c + d), with the ends a, b and the vertices opposite c, d";
+  return "(1 - n u) v + u (sum of the n neighbours), with u = 3/16 for n = 3, else 3/(8 n); "
+         "or, "
+         "by Loop, u = (5/8 - (3/8 + cos(2 pi / n) / 4)^2) / n";
+}
+
+std::vector<bool> on_boundary(const MeshDump& mesh) {
+  std::vector<bool> marked(mesh.vertices.size(), false);
+  for (const HalfedgeRecord& h : mesh.halfedges) {
+    if (h.live != 0 && (h.face & kBoundaryBit) != 0) marked[h.vertex] = true;
+  }
+  return marked;
+}
+
 class LevelsJudge {
  public:
   LevelsJudge(const JudgeTask& task, Conventions& conventions, CaseJudgement& judgement)
@@ -94,6 +139,7 @@ class LevelsJudge {
     for (const std::string& name : conventions_)
       meshes[name] = input.mesh;
     old_ = input.mesh;
+    first_marked_ = static_cast<Ref>(old_.positions.size());
     before_ = to_surface(input.mesh);
     std::vector<Ref> old_to_mine(input.mesh.positions.size());
     for (Ref v = 0; v < old_to_mine.size(); ++v)
@@ -129,15 +175,21 @@ class LevelsJudge {
   }
 
   bool keeps_rules(const MeshDump& mesh) {
-    bool only_simple = true;
+    bool all_live = true;
     for (const RuleBreak& rule_break : find_broken_rules(mesh)) {
-      only_simple = only_simple && rule_break.rule == "simple";
+      all_live = all_live && rule_break.rule != "live-pointer";
       judgement_.findings.push_back(to_finding(rule_break, where_));
       judgement_.verdict = Verdict::kFailed;
     }
     if (judgement_.findings.empty()) return true;
-    if (only_simple && task_.explain) {
-      judgement_.findings[0].likely = recognize_connectivity(before_, mesh);
+    Finding& first = judgement_.findings[0];
+    if (first.rule == "finite") {
+      first.look_at += ": is something divided by 0? ";
+      first.look_at += before_.boundaries.empty()
+                           ? "For example by a valence that is not computed yet"
+                           : "At a boundary, a vertex has fewer faces than edges";
+    } else if (all_live && task_.explain) {
+      first.likely = recognize_connectivity(before_, mesh, first_marked_);
     }
     return false;
   }
@@ -225,7 +277,7 @@ class LevelsJudge {
     report_other_surface(level, old_to_mine, mesh);
     show_valences(level, old_to_mine, mesh);
     if (task_.explain) {
-      judgement_.findings.back().likely = recognize_connectivity(before_, mesh);
+      judgement_.findings.back().likely = recognize_connectivity(before_, mesh, first_marked_);
     }
     return false;
   }
@@ -301,29 +353,49 @@ class LevelsJudge {
     return *ranked.begin()->second;
   }
 
+  /// " at valence 4, 5": the valences of inner old vertices at which the rules differ.
+  static std::string telling_valences(const Level& level) {
+    const std::vector<std::size_t> all = valences(level.surface);
+    const std::vector<bool> boundary = on_boundary(level.surface);
+    std::set<std::size_t> telling;
+    for (std::size_t v = 0; v < level.origins.size(); ++v) {
+      const bool agree = all[v] == 3 || all[v] == 6;
+      if (level.origins[v].is_old() && !agree && !boundary[v]) {
+        telling.insert(all[v]);
+      }
+    }
+    std::vector<std::string> texts;
+    for (std::size_t n : telling)
+      texts.push_back(std::to_string(n));
+    return texts.empty() ? "" : " at valence " + join(texts, ", ");
+  }
+
   /// Published rules that the assignment, or the cases before, rule out.
-  std::vector<Prediction<Point3>> other_rules(const Level& level) const {
-    std::vector<Prediction<Point3>> others;
+  std::vector<OtherRule> other_rules(const Level& level) const {
+    const Conventions asked = allowed_variants(task_.rubric);
+    const std::string used = level.by_variant.begin()->first;
+    std::vector<OtherRule> others;
     for (const Variant& variant : kVariants) {
       if (level.by_variant.count(variant.name) != 0) continue;
+      const bool mixed = asked.count(variant.name) != 0;
       others.push_back(
-          {{"other-rule", std::string("these are ") + variant.name +
-                              "; asked, or used in the cases before, is " +
-                              level.by_variant.begin()->first},
-           opensubdiv_loop(old_, variant.vertex_rule, variant.corner_rule).mesh.positions});
+          {mixed ? "rules-mixed" : "other-rule",
+           std::string("these are ") + variant.name + telling_valences(level) +
+               (mixed ? ", but the cases before have " + used + ": use one rule everywhere"
+                      : "; asked are " + used),
+           {variant.vertex_rule,
+            opensubdiv_loop(old_, variant.vertex_rule, variant.corner_rule).mesh.positions}});
     }
     return others;
   }
 
-  std::vector<Misconception> likely_positions(const Level& level,
-                                              const std::vector<Point3>& actual,
-                                              double size) const {
-    std::vector<std::vector<Point3>> variants;
+  Misconceptions likely_positions(const Level& level, const std::vector<Point3>& actual,
+                                  double size) const {
+    RefinedStep step{old_, level.origins, {}, other_rules(level)};
     for (const auto& [name, polygons] : level.by_variant) {
-      variants.push_back(polygons.positions);
+      step.right.push_back({find_variant(name).vertex_rule, polygons.positions});
     }
-    return recognize_positions(old_, level.origins, variants, other_rules(level), actual,
-                               task_.tolerance * size);
+    return recognize_positions(step, actual, task_.tolerance * size);
   }
 
   Conventions keep_agreeing(const Conventions& agreeing) const {
@@ -331,6 +403,19 @@ class LevelsJudge {
     std::set_intersection(conventions_.begin(), conventions_.end(), agreeing.begin(),
                           agreeing.end(), std::inserter(kept, kept.end()));
     return kept;
+  }
+
+  /// By which rule a position is the expected one; empty for edge points, which have one rule.
+  std::string rule_text(const Level& level, std::size_t index, double allowed,
+                        const std::string& variant) const {
+    if (!level.origins[index].is_old()) return {};
+    const Point3& expected = level.by_variant.at(variant).positions[index];
+    std::set<VertexRule> rules;
+    for (const auto& [name, polygons] : level.by_variant) {
+      if (distance(polygons.positions[index], expected) > allowed) return " by " + variant;
+      rules.insert(find_variant(name).vertex_rule);
+    }
+    return rules.size() > 1 ? " by either rule's weights" : " by " + variant;
   }
 
   void report_position(const Level& level, const std::vector<Point3>& actual, double size,
@@ -341,11 +426,13 @@ class LevelsJudge {
     report("position", "the positions are those of Loop subdivision (compared with OpenSubdiv)",
            mine + ", " + origin_text(level, worst.index) +
                (old ? " with " + plural(valence, "edge") : ""),
-           point_text(level.by_variant.at(variant).positions[worst.index]) + " by " + variant,
+           point_text(level.by_variant.at(variant).positions[worst.index]) +
+               rule_text(level, worst.index, task_.tolerance * size, variant),
            point_text(actual[worst.index]) + ", off by " +
                error_text(worst.error, size, task_.tolerance),
-           old ? "the weights of old vertices, and from which positions they are computed"
-               : "the weights of edge points, and from which positions they are computed");
+           std::string(old ? "the weights of old vertices" : "the weights of edge points") +
+               ", from positions before the step: " +
+               formula(old, on_boundary(level.surface)[worst.index]));
   }
 
   const JudgeTask& task_;
@@ -354,23 +441,9 @@ class LevelsJudge {
   std::string where_;
   PolygonMesh old_;         ///< the mesh before the step, expected vertices
   MeshDump before_;         ///< the same as the student has it
+  Ref first_marked_ = 0;    ///< vertices from here on did not exist before the first level
   std::vector<Ref> match_;  ///< expected vertex -> the student's
 };
-
-Conventions allowed_variants(const ExerciseRubric& rubric) {
-  const std::string vertex = choose_option(rubric, "vertex_rule", {"either", "loop", "warren"});
-  const std::string corner =
-      choose_option(rubric, "corner_rule", {"either", "smooth", "corner"});
-  Conventions allowed;
-  for (const Variant& variant : kVariants) {
-    const bool is_loop = variant.vertex_rule == VertexRule::kLoop;
-    const bool is_smooth = variant.corner_rule == CornerRule::kSmooth;
-    if (vertex != "either" && (vertex == "loop") != is_loop) continue;
-    if (corner != "either" && (corner == "smooth") != is_smooth) continue;
-    allowed.insert(variant.name);
-  }
-  return allowed;
-}
 
 }  // namespace
 
@@ -380,7 +453,8 @@ ExerciseJudge loop_subdivision_judge(const ExerciseRubric& rubric) {
           allowed_variants(rubric),
           [](const JudgeTask& task, Conventions& conventions, CaseJudgement& judgement) {
             LevelsJudge(task, conventions, judgement).judge();
-          }};
+          },
+          loop_misconceptions()};
 }
 
 }  // namespace meshgrade

@@ -30,9 +30,14 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
   const std::string vertex = vertex_name(static_cast<Ref>(worst.index));
   const std::string expected_text = point_text(expected[worst.index]);
   if (!std::isfinite(norm)) {
+    const auto loops = boundary_loops(input.mesh);
+    const bool on_boundary = loops.count(static_cast<std::uint32_t>(worst.index)) != 0;
     judgement.findings.push_back(make_finding(
         "finite", "every coordinate is a finite number", "", vertex, expected_text,
-        point_text(normal), "a division by zero: the length of what is normalized?"));
+        point_text(normal),
+        std::string("a division by zero: has what is normalized the length 0?") +
+            (on_boundary ? " This vertex lies on the boundary: is any of its faces added up?"
+                         : "")));
   } else if (std::abs(norm - 1.0) > task.tolerance) {
     judgement.findings.push_back(make_finding(
         "unit-length", "a normal has length 1", "", vertex, expected_text,
@@ -53,7 +58,7 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
 
 ExerciseJudge vertex_normal_judge(const ExerciseRubric& rubric) {
   refuse_unknown_options(rubric, {});
-  return {{"Vertex::normal"}, {}, judge_steps};
+  return {{"Vertex::normal"}, {}, judge_steps, normal_misconceptions()};
 }
 
 }  // namespace meshgrade

@@ -11,17 +11,11 @@ Vector3D Vertex::normal() const {
   //      /     .  h->next()
   //     v ----> b
   //         h
-  Vector3D sum;
   HalfedgeCIter h = halfedge();
-  do {
-    if (!h->isBoundary()) {
-      const Vector3D b = h->next()->vertex()->position;
-      const Vector3D c = h->next()->next()->vertex()->position;
-      sum += cross(b - position, c - position);
-    }
-    h = h->twin()->next();
-  } while (h->isBoundary());
-  return sum.unit();
+  if (h->isBoundary()) h = h->twin()->next();
+  const Vector3D b = h->next()->vertex()->position;
+  const Vector3D c = h->next()->next()->vertex()->position;
+  return cross(b - position, c - position).unit();
 }
 
 }  // namespace meshedit

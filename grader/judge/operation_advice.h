@@ -1,0 +1,25 @@
+#pragma once
+
+// What a student can do about a flip or a split that went wrong.
+
+#include <string>
+
+#include "grader/judge/misconception.h"
+#include "grader/judge/operation_model.h"
+#include "grader/mesh/mesh_dump.h"
+
+namespace meshgrade {
+
+/// What to look at if a mesh has too many or too few elements: which calls, and what to do with
+/// what is left over.
+std::string count_advice(const Counts& expected, const Counts& actual);
+
+/// The misconceptions about the new vertex of a split.
+const Misconceptions& split_misconceptions();
+
+/// Those that explain where the new vertex was put. `before` is the mesh before the split,
+/// `allowed` a length.
+Misconceptions recognize_midpoint(const MeshDump& before, const Diamond& diamond,
+                                  const Point3& actual, double allowed);
+
+}  // namespace meshgrade
