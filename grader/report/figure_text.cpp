@@ -64,7 +64,7 @@ std::string missing_text(const NeighbourhoodFigure& figure) {
 std::string figure_text(const NeighbourhoodFigure& figure) {
   std::string wrong;
   for (const FigureFault& fault : figure.faults)
-    wrong += std::string(fault.was_set ? "  set, but wrong: " : "  not set, but must be: ") +
+    wrong += std::string(fault.was_set ? "  set, but wrong: " : "  not changed, but must be: ") +
              fault.text + "\n";
   const std::string missing = missing_text(figure);
   if (!missing.empty()) wrong += "  " + missing + "\n";

@@ -39,7 +39,7 @@ void list_faults(ListColumn& column, const NeighbourhoodFigure& figure) {
   for (std::size_t i = 0; i < std::min(figure.faults.size(), kMostListed); ++i) {
     const FigureFault& fault = figure.faults[i];
     if (!headed[fault.was_set ? 1 : 0]) {
-      column.heading(fault.was_set ? "Set, but wrong:" : "Not set, but must be:");
+      column.heading(fault.was_set ? "Set, but wrong:" : "Not changed, but must be:");
       headed[fault.was_set ? 1 : 0] = true;
     }
     column.numbered(i + 1, fault.text);
