@@ -11,12 +11,12 @@
 #include <thread>
 
 #include "grader/app/batch_progress.h"
+#include "grader/app/class_source.h"
 #include "grader/app/context.h"
 #include "grader/app/grader_identity.h"
 #include "grader/app/grading.h"
 #include "grader/base/digest.h"
 #include "grader/base/errors.h"
-#include "grader/base/process.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
 #include "grader/batch/batch.h"
@@ -24,7 +24,6 @@
 #include "grader/batch/class_summary.h"
 #include "grader/exports/exports.h"
 #include "grader/report/terminal_report.h"
-#include "grader/submission/archive.h"
 
 namespace meshgrade {
 namespace {
@@ -34,10 +33,6 @@ namespace fs = std::filesystem;
 constexpr int kSomeUngradable = 1;
 constexpr int kGraderFailed = 3;
 constexpr int kInterrupted = 130;
-
-/// A class hands in more than a student does.
-constexpr ArchiveLimits kClassArchive{std::uint64_t{16} << 30U, std::uint64_t{1} << 30U,
-                                      2'000'000, 40};
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -148,16 +143,6 @@ void refuse_results_inside(const fs::path& submissions, const fs::path& results)
                   "name a folder elsewhere");
 }
 
-/// What was handed in, as a folder: an archive is unpacked to `unpacked`.
-fs::path submissions_folder(const fs::path& given, std::optional<ScratchFolder>& unpacked,
-                            std::vector<Omission>& left_out) {
-  if (fs::is_directory(given) || !is_archive_name(given)) return given;
-  unpacked.emplace();
-  for (const std::string& note : unpack_archive(given, unpacked->path(), kClassArchive))
-    left_out.push_back({"from " + printable(given.filename().string()), note});
-  return unpacked->path();
-}
-
 int run(const BatchCommandOptions& options, const Assignment& assignment, const Roster& roster,
         const BatchFolder& folder) {
   const Grading grading = grading_of(assignment, options, find_home());
@@ -188,20 +173,13 @@ int batch(const BatchCommandOptions& options) {
     refuse_results_inside(options.submissions, options.results);
     folder.emplace(options.results);
   }
-  std::optional<ScratchFolder> unpacked;
-  std::vector<Omission> left_out;
-  Roster roster =
-      read_roster(submissions_folder(options.submissions, unpacked, left_out), options.roster);
-  roster.left_out.insert(roster.left_out.end(), left_out.begin(), left_out.end());
-  if (folder) return run(options, assignment, roster, *folder);
-  list_roster(roster);
+  const ClassSource source = open_class(options.submissions, options.roster);
+  if (folder) return run(options, assignment, source.roster, *folder);
+  list_roster(source.roster);
   return 0;
 }
 
 void add_options(CLI::App& command, BatchCommandOptions& options) {
-  std::vector<std::string> names;
-  for (const Layout& layout : layouts())
-    names.emplace_back(layout.name);
   command
       .add_option("submissions", options.submissions,
                   "The folder or archive with what was handed in")
@@ -212,11 +190,7 @@ void add_options(CLI::App& command, BatchCommandOptions& options) {
       "--assignment", options.assignment,
       "What is asked and what it is worth (TOML); the standard one if not given");
   command.add_option("--exercise", options.exercises, "Only this exercise; may be repeated");
-  command.add_option(
-      "--layout", options.roster.layout,
-      "How the folder is arranged: " + join(names, ", ") + "; found out if not given");
-  command.add_option("--part", options.roster.assignment,
-                     "Which assignment, where the folder holds several (nbgrader)");
+  add_roster_options(command, options.roster);
   command.add_flag("--list", options.list,
                    "Only show what is there, for whom, and what is left out and why");
   command.add_option("--only", options.only,

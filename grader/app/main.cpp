@@ -14,6 +14,7 @@
 #include "grader/app/list_command.h"
 #include "grader/app/mesh_info_command.h"
 #include "grader/app/replay_command.h"
+#include "grader/app/similarity_command.h"
 #include "grader/app/subdivide_command.h"
 #include "grader/app/watch_command.h"
 #include "grader/base/errors.h"
@@ -33,6 +34,7 @@ int run(int argc, char** argv) {
   meshgrade::add_batch_command(app, exit_code);
   meshgrade::add_export_command(app, exit_code);
   meshgrade::add_diff_command(app, exit_code);
+  meshgrade::add_similarity_command(app, exit_code);
   meshgrade::add_watch_command(app, exit_code);
   meshgrade::add_replay_command(app, exit_code);
   meshgrade::add_hint_command(app, exit_code);

@@ -145,7 +145,10 @@ class Unpacking {
     std::string name = given == nullptr ? "" : given;
     if (is_compressed_file(file_)) name = file_.stem().string();
     std::replace(name.begin(), name.end(), '\\', '/');
-    if (::archive_entry_filetype(entry) == AE_IFDIR) return;
+    if (::archive_entry_filetype(entry) == AE_IFDIR) {
+      make_folder(name);
+      return;
+    }
     const bool regular = ::archive_entry_filetype(entry) == AE_IFREG &&
                          ::archive_entry_hardlink(entry) == nullptr &&
                          ::archive_entry_symlink(entry) == nullptr;
@@ -162,6 +165,14 @@ class Unpacking {
       return;
     }
     write_file(inside, wanted == Take::kWhole ? limits_.file_bytes : 0);
+  }
+
+  /// An empty folder says that somebody handed in nothing, where each has one.
+  void make_folder(const std::string& name) const {
+    const fs::path inside = fs::path(name).lexically_normal();
+    if (!fault_of(name).empty() || (choose_ && choose_(inside) == Take::kNothing)) return;
+    std::error_code ignored;
+    fs::create_directories(folder_ / inside, ignored);
   }
 
   /// What is wrong with a name; empty if nothing is.

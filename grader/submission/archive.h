@@ -30,7 +30,7 @@ enum class Take {
   kNothing,
 };
 
-/// Unpacks the regular files of an archive into an empty folder. Links, devices, and names that
+/// Unpacks the folders and regular files of an archive into an empty folder. Links, devices, and names that
 /// lead out of the folder are left out. Nothing is executed and no other program is called.
 /// `choose` says how much of a file is wanted; empty: all of everything.
 /// @return a note on each kind of thing that was left out

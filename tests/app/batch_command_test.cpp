@@ -1,0 +1,131 @@
+// The commands for a class, as a person calls them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "grader/app/batch_progress.h"
+#include "grader/base/safe_file.h"
+#include "tests/app/command_line.h"
+#include "tests/support/scratch_files.h"
+
+namespace meshgrade {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+namespace fs = std::filesystem;
+
+class BatchCommand : public CommandLine {
+ protected:
+  BatchCommand() {
+    write_file(class_ / "ann" / "edge_flip.cpp",
+               read_whole_file(reference() + "/edge_flip.cpp"));
+    write_file(class_ / "bob" / "essay.txt", "Dear grader");
+    write_file(class_ / "notes.md", "x");
+  }
+
+  Said batch(const std::vector<std::string>& more) const {
+    std::vector<std::string> arguments{"batch", class_.string(), "--exercise", "edge_flip"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return call(arguments);
+  }
+
+  fs::path class_ = scratch_.path() / "class";
+  fs::path results_ = scratch_.path() / "results";
+};
+
+TEST_F(BatchCommand, ListShowsWhoAndWhatIsLeftOutAndWritesNothing) {
+  const Said said = batch({"--list"});
+  EXPECT_EQ(said.status, 0);
+  EXPECT_THAT(said.output, HasSubstr("layout: plain\n2 hand-ins:\n  ann\n    for   ann\n"));
+  EXPECT_THAT(said.output, HasSubstr("left out:\n  notes.md: neither a folder nor an archive"));
+  EXPECT_FALSE(fs::exists(results_));
+}
+
+TEST_F(BatchCommand, GradesThenKeepsThenExportsAndCompares) {
+  const Said first = batch({"-o", results_.string()});
+  EXPECT_EQ(first.status, 1) << first.output;
+  EXPECT_THAT(first.output, HasSubstr("ann: 20 of 20 points"));
+  EXPECT_THAT(first.output, HasSubstr("bob: ungradable (no C++ source file"));
+  EXPECT_THAT(first.output, HasSubstr("1 of 2 hand-ins graded, 1 ungradable"));
+  EXPECT_THAT(batch({"-o", results_.string()}).output,
+              HasSubstr("ann: 20 of 20 points (unchanged)"));
+  for (const char* file : {"class.json", "grades.csv", "summary.txt", "summary.json",
+                           "results/ann/report.json", "results/ann/report.txt"})
+    EXPECT_TRUE(fs::exists(results_ / file)) << file;
+  EXPECT_EQ(call({"export", results_.string(), "gradescope"}).status, 0);
+  EXPECT_TRUE(fs::exists(results_ / "exports" / "gradescope" / "ann" / "results.json"));
+  EXPECT_EQ(call({"export", results_.string(), "canvas", "--column", "HW (7)"}).status, 0);
+  EXPECT_THAT(read_whole_file(results_ / "exports" / "canvas.csv"), HasSubstr("HW (7)"));
+  const Said same = call({"diff", results_.string(), results_.string()});
+  EXPECT_EQ(same.status, 0) << same.output;
+  EXPECT_EQ(same.output, "0 hand-ins changed of 2\n");
+}
+
+TEST_F(BatchCommand, MistakesAreSaid) {
+  EXPECT_EQ(batch({}).status, 2);
+  EXPECT_THAT(batch({}).output, HasSubstr("-o RESULTS"));
+  EXPECT_THAT(batch({"-o", (class_ / "results").string()}).output,
+              HasSubstr("must not lie within what was handed in"));
+  EXPECT_THAT(batch({"-o", results_.string(), "--only", "zoe"}).output,
+              HasSubstr("there is no hand-in of \"zoe\""));
+  EXPECT_THAT(call({"export", results_.string(), "csv"}).output,
+              HasSubstr("there are no results of a class here"));
+  EXPECT_THAT(call({"batch", (scratch_.path() / "no.zip").string(), "-o", results_.string()})
+                  .output,
+              HasSubstr("there is no such"));
+}
+
+TEST_F(BatchCommand, AnInterruptStopsItAndItGoesOn) {
+  write_file(class_ / "eve" / "edge_flip.cpp",
+             read_whole_file(wrong("edge_flip/sleeps/edge_flip.cpp")));
+  Command command;
+  command.arguments = {"timeout",         "--signal=INT", "3", MESHGRADE_PROGRAM, "batch",
+                       class_.string(),   "-o",           results_.string(), "--exercise",
+                       "edge_flip",       "--jobs",       "2"};
+  const ProcessResult stopped = run_process(command);
+  EXPECT_THAT(stopped.output, HasSubstr("stopped; the same command goes on from here"));
+  EXPECT_FALSE(fs::exists(results_ / ".tmp"));
+  const Said rest = batch({"-o", results_.string(), "--only", "ann"});
+  EXPECT_THAT(rest.output, HasSubstr("ann: 20 of 20 points"));
+}
+
+Roster roster_of(std::size_t count) {
+  Roster roster;
+  for (std::size_t i = 0; i < count; ++i)
+    roster.hand_ins.push_back({"student" + std::to_string(i), {}, {}, "", false});
+  return roster;
+}
+
+TEST(BatchProgress, TheBarCountsAndTellsTheTimeLeft) {
+  const Roster roster = roster_of(10);
+  BatchProgress progress(roster, 10, true);
+  EXPECT_EQ(progress.bar(0.0), "[....................] 0/10");
+  BatchStep step;
+  step.status = ResultStatus::kGraded;
+  step.points = step.max_points = 10.0;
+  step.kept = true;
+  progress.count(step);
+  EXPECT_EQ(progress.bar(0.0), "[##..................] 1/10  1 full") << "kept: no time known";
+  step.kept = false;
+  step.points = 5.0;
+  progress.count(step);
+  step.status = ResultStatus::kUngradable;
+  progress.count(step);
+  EXPECT_EQ(progress.bar(60.0),
+            "[######..............] 3/10  1 full, 1 partial, 1 ungradable; 4 min left");
+}
+
+TEST(BatchProgress, ALineSaysWhoAndWhat) {
+  const Roster roster = roster_of(2);
+  BatchProgress progress(roster, 2, false);
+  BatchStep step{1, ResultStatus::kGraderError, false, 0.0, 0.0, "its process died"};
+  progress.count(step);
+  EXPECT_EQ(progress.line(step), "1/2 student1: grader error (its process died)");
+}
+
+}  // namespace
+}  // namespace meshgrade

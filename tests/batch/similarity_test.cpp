@@ -1,0 +1,82 @@
+#include "grader/batch/similarity.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "grader/base/process.h"
+#include "grader/base/safe_file.h"
+#include "tests/support/scratch_files.h"
+#include "tests/support/user_error.h"
+
+namespace meshgrade {
+namespace {
+
+const std::string kSource = MESHGRADE_SOURCE_DIR;
+
+Submission skeleton() {
+  return find_submission(kSource + "/student_skeleton", {});
+}
+
+std::string renamed(std::string text) {
+  for (std::size_t at = 0; (at = text.find("h", at)) != std::string::npos; at += 2)
+    text.replace(at, 1, "hh");
+  return "// all my own work\n" + text;
+}
+
+class Similarity : public testing::Test {
+ protected:
+  std::vector<SimilarPair> compare() {
+    SimilarityOptions options;
+    return find_similar(read_roster(folder_.path(), {}), skeleton(), options, notes_);
+  }
+
+  ScratchFolder folder_;
+  std::vector<std::string> notes_;
+};
+
+TEST_F(Similarity, ACopyWithOtherNamesStandsOnTop) {
+  const std::string normal = read_whole_file(kSource + "/reference/vertex_normal.cpp");
+  write_file(folder_.path() / "ann" / "normal.cpp", normal);
+  write_file(folder_.path() / "bob" / "normal.cpp", renamed(normal));
+  write_file(folder_.path() / "cem" / "curve.cpp",
+             read_whole_file(kSource + "/reference/bezier_curve.cpp"));
+  write_file(folder_.path() / "dan" / "essay.txt", "x");
+  const auto pairs = compare();
+  ASSERT_FALSE(pairs.empty());
+  EXPECT_EQ(pairs[0].first, "ann");
+  EXPECT_EQ(pairs[0].second, "bob");
+  EXPECT_GE(pairs[0].most(), 95);
+  for (std::size_t i = 1; i < pairs.size(); ++i)
+    EXPECT_LT(pairs[i].most(), pairs[0].most());
+  EXPECT_THAT(notes_, testing::ElementsAre(testing::HasSubstr("dan is not compared")));
+}
+
+TEST_F(Similarity, TheSkeletonAloneIsNothingInCommon) {
+  for (const char* who : {"ann", "bob"}) {
+    for (const SourceFile& file : skeleton().sources)
+      write_file(folder_.path() / who / file.name, file.text);
+  }
+  EXPECT_THAT(compare(), testing::IsEmpty());
+}
+
+TEST_F(Similarity, SkeletonLinesAreTakenOutWhateverTheirSpace) {
+  Submission handed_out;
+  handed_out.sources = {{"a.cpp", "int given() {\n  return 1;\n}\n"}};
+  EXPECT_EQ(without_skeleton("int given()  {\r\n\treturn 1;\n  return 2;\n}\n", handed_out),
+            "  return 2;\n}\n");
+}
+
+TEST_F(Similarity, AMissingToolIsSaid) {
+  write_file(folder_.path() / "ann.cpp", "int x;");
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", "/nowhere", 1);
+  const std::string message = user_error([&] { compare(); });
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_THAT(message, testing::HasSubstr("sim_c++ is not installed: it comes with Debian's "
+                                          "package similarity-tester"));
+}
+
+}  // namespace
+}  // namespace meshgrade
