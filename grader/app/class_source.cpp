@@ -23,8 +23,7 @@ ClassSource open_class(const std::filesystem::path& submissions, const RosterOpt
     source.unpacked.emplace();
     notes = unpack_archive(submissions, source.unpacked->path(), kClassArchive);
   }
-  source.roster =
-      read_roster(source.unpacked ? source.unpacked->path() : submissions, options);
+  source.roster = read_roster(source.unpacked ? source.unpacked->path() : submissions, options);
   for (const std::string& note : notes)
     source.roster.left_out.push_back({printable(submissions.filename().string()), note});
   return source;

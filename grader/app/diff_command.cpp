@@ -19,8 +19,8 @@ struct DiffOptions {
 int diff(const DiffOptions& options) {
   const ClassResults before = load_class_results(options.before);
   const ClassResults after = load_class_results(options.after);
-  const std::vector<RowChange> changes = compare_classes(
-      before, result_store(options.before), after, result_store(options.after));
+  const std::vector<RowChange> changes =
+      compare_classes(before, result_store(options.before), after, result_store(options.after));
   std::cout << to_text(changes, options.cases) << plural(changes.size(), "hand-in")
             << " changed of " << after.rows.size() << "\n";
   return changes.empty() ? 0 : 1;

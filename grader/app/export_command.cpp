@@ -68,9 +68,9 @@ void export_students(const StudentExport& format, const ClassResults& results,
     const Report* report = result.report ? &*result.report : nullptr;
     const fs::path own = folder / safe_file_name(row.key);
     make_folder(own);
-    write_file_safely(own / format.file,
-                      format.write({row.key, result.status, result.reason, report},
-                                   options.how));
+    write_file_safely(
+        own / format.file,
+        format.write({row.key, result.status, result.reason, report}, options.how));
   }
   std::cout << "wrote " << plural(results.rows.size(), "file") << " to " << folder.string()
             << "\n";

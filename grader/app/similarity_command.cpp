@@ -78,7 +78,8 @@ void add_similarity_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->output, "Write all pairs to this file (CSV)");
   command->footer(
       "Needs Debian's similarity-tester. It compares tokens: other names, layout and comments\n"
-      "make no difference. Short exercises have few good solutions, so many honest pairs share\n"
+      "make no difference. Short exercises have few good solutions, so many honest pairs "
+      "share\n"
       "much: look at the pairs that stand out, and at their code, before you say anything.\n"
       "Examples:\n"
       "  meshgrade similarity submissions\n"

@@ -177,7 +177,8 @@ std::optional<HiddenCases> read_hidden(Section section) {
   return hidden;
 }
 
-/// The number in the seed file, which lies beside the assignment unless its name says otherwise.
+/// The number in the seed file, which lies beside the assignment unless its name says
+/// otherwise.
 void read_seed(HiddenCases& hidden, const std::filesystem::path& assignment) {
   hidden.seed_file = assignment.parent_path() / hidden.seed_file;
   std::ifstream stream(hidden.seed_file);

@@ -156,6 +156,7 @@ class Batch {
       save(result, grading_.to_text(*result.report));
       return;
     }
+    if (grading_.add_files) grading_.add_files(*result.report, store_.make_folder(result.key));
     require_room();
     save(result);
   }

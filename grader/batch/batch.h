@@ -16,6 +16,9 @@ struct Grading {
   /// `slot` counts from 0 and tells submissions apart that are graded at the same time.
   std::function<Report(const Submission& submission, unsigned slot)> grade;
   std::function<std::string(const Report& report)> to_text;  ///< for people to read
+  /// Adds files for people, such as pictures, to the folder of a result, and may note their
+  /// names in the report. Called before the report is stored; may be empty.
+  std::function<void(Report& report, const std::filesystem::path& folder)> add_files = {};
   SubmissionRules rules;
   std::string identity;  ///< of grader and assignment: another one, another result
 };

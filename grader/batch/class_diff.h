@@ -19,7 +19,7 @@ struct RowChange {
   std::string key;
   std::string before;  ///< "87 points", "ungradable"; "not there"
   std::string after;
-  double difference = 0.0;  ///< of the points, extra credit counted
+  double difference = 0.0;        ///< of the points, extra credit counted
   std::vector<CaseChange> cases;  ///< those of the exercises whose points changed
 };
 

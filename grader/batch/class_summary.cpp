@@ -33,9 +33,9 @@ std::vector<CommonFault> most_common_first(const Faults& faults) {
   std::vector<CommonFault> sorted;
   for (const auto& [name, fault] : faults)
     sorted.push_back(fault);
-  std::stable_sort(sorted.begin(), sorted.end(), [](const CommonFault& a, const CommonFault& b) {
-    return a.keys.size() > b.keys.size();
-  });
+  std::stable_sort(
+      sorted.begin(), sorted.end(),
+      [](const CommonFault& a, const CommonFault& b) { return a.keys.size() > b.keys.size(); });
   return sorted;
 }
 
@@ -135,9 +135,8 @@ std::string pad(const std::string& text, std::size_t width) {
 std::string distribution_text(const ClassSummary& summary) {
   std::string text;
   constexpr std::size_t kWidth = 40;
-  const std::size_t most =
-      std::max<std::size_t>(1, *std::max_element(summary.distribution.begin(),
-                                                 summary.distribution.end()));
+  const std::size_t most = std::max<std::size_t>(
+      1, *std::max_element(summary.distribution.begin(), summary.distribution.end()));
   for (std::size_t i = 0; i < summary.distribution.size(); ++i) {
     const std::size_t count = summary.distribution[i];
     const std::string label = i == 10 ? "100 %" : "from " + std::to_string(10 * i) + " %";

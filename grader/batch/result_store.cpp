@@ -82,11 +82,17 @@ fs::path ResultStore::folder_of(const std::string& key) const {
   return folder_ / safe_file_name(key);
 }
 
-void ResultStore::save(const Result& result, const std::string& text) const {
-  const fs::path folder = folder_of(result.key);
+fs::path ResultStore::make_folder(const std::string& key) const {
+  fs::path folder = folder_of(key);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw UserError(folder.string() + ": cannot be made: " + error.message());
+  return folder;
+}
+
+void ResultStore::save(const Result& result, const std::string& text) const {
+  const fs::path folder = make_folder(result.key);
+  std::error_code error;
   Json value{{"schema", kSchema},
              {"key", result.key},
              {"status", status_name(result.status)},

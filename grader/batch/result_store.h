@@ -39,6 +39,9 @@ class ResultStore {
   /// @throws UserError if it cannot be written
   void save(const Result& result, const std::string& text) const;
 
+  /// Makes the folder of a result. @throws UserError if that is not possible
+  std::filesystem::path make_folder(const std::string& key) const;
+
   /// kMissing if there is none, or if it is damaged: then with the reason.
   Result load(const std::string& key) const;
 

@@ -76,9 +76,15 @@ std::string write_texts(const Roster& roster, const Submission& skeleton,
 std::string run_tool(const SimilarityOptions& options, const fs::path& folder,
                      const std::string& list) {
   Command command;
-  command.arguments = {kTool, "-p", "-e", "-a", "-s", "-T",
+  command.arguments = {kTool,
+                       "-p",
+                       "-e",
+                       "-a",
+                       "-s",
+                       "-T",
                        "-r" + std::to_string(options.least_tokens),
-                       "-t" + std::to_string(std::max(1, options.least_percent)), "-i"};
+                       "-t" + std::to_string(std::max(1, options.least_percent)),
+                       "-i"};
   command.folder = folder;
   command.input = list;
   command.kept_output = std::size_t{1} << 28U;
@@ -91,7 +97,8 @@ std::string run_tool(const SimilarityOptions& options, const fs::path& folder,
                     "similarity-tester (apt-get install similarity-tester)");
   }
   if (!result.ok()) {
-    throw GraderError(std::string(kTool) + " failed: " + printable(result.output.substr(0, 500)));
+    throw GraderError(std::string(kTool) +
+                      " failed: " + printable(result.output.substr(0, 500)));
   }
   return result.output;
 }
@@ -123,9 +130,9 @@ std::vector<SimilarPair> find_similar(const Roster& roster, const Submission& sk
   std::vector<SimilarPair> sorted;
   for (const auto& [numbers, pair] : pairs)
     sorted.push_back(pair);
-  std::stable_sort(sorted.begin(), sorted.end(), [](const SimilarPair& a, const SimilarPair& b) {
-    return a.most() > b.most();
-  });
+  std::stable_sort(
+      sorted.begin(), sorted.end(),
+      [](const SimilarPair& a, const SimilarPair& b) { return a.most() > b.most(); });
   return sorted;
 }
 

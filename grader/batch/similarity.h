@@ -24,8 +24,8 @@ struct SimilarityOptions {
 };
 
 /// Compares the sources of all hand-ins with each other, without the lines that are the
-/// skeleton's, by Debian's similarity-tester (sim_c++), which looks at tokens: names, layout and
-/// comments do not matter. Hand-ins that cannot be read are noted.
+/// skeleton's, by Debian's similarity-tester (sim_c++), which looks at tokens: names, layout
+/// and comments do not matter. Hand-ins that cannot be read are noted.
 /// @return the pairs with something in common, the most similar first
 /// @throws UserError if the tool is not installed
 std::vector<SimilarPair> find_similar(const Roster& roster, const Submission& skeleton,

@@ -44,11 +44,12 @@ const Makers& makers_of(const ExerciseRubric& rubric) {
   return found->second;
 }
 
-std::vector<Case> make_with_seed(const Makers& makers, const Assignment& assignment,
+std::vector<Case> make_with_seed(std::uint64_t seed, Assignment assignment,
                                  const ExerciseRubric& rubric,
                                  const std::filesystem::path& meshes) {
+  assignment.seed = seed;
   CaseMaker cases(assignment, rubric, meshes);
-  makers.cases(cases);
+  makers_of(rubric).cases(cases);
   return cases.take();
 }
 
@@ -94,12 +95,9 @@ void CaseMaker::add_packed(const std::string& group, const std::string& title,
 
 std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric& rubric,
                              const std::filesystem::path& meshes) {
-  const Makers& makers = makers_of(rubric);
-  std::vector<Case> made = make_with_seed(makers, assignment, rubric, meshes);
+  std::vector<Case> made = make_with_seed(assignment.seed, assignment, rubric, meshes);
   if (assignment.hidden && assignment.hidden->seed) {
-    Assignment other = assignment;
-    other.seed = *assignment.hidden->seed;
-    add_hidden(make_with_seed(makers, other, rubric, meshes), made);
+    add_hidden(make_with_seed(*assignment.hidden->seed, assignment, rubric, meshes), made);
   }
   for (const Group& group : rubric.groups) {
     const auto in_group = [&](const Case& c) { return c.group == group.name; };

@@ -62,6 +62,19 @@ std::vector<std::string> export_names() {
   return names;
 }
 
+void note_missing(const ClassResults& results,
+                  const std::function<bool(const ClassRow&)>& was_found,
+                  const std::string& in_words, std::vector<std::string>& notes) {
+  for (const ClassRow& row : results.rows) {
+    if (!was_found(row)) {
+      notes.push_back(row.key + " is not in the " + in_words + ": no grade is written");
+    } else if (!row.has_points()) {
+      notes.push_back(row.key + " has no grade (" + status_name(row.status) +
+                      "): none is written to the " + in_words);
+    }
+  }
+}
+
 std::string points_to_enter(const ClassRow& row, const ClassResults& results,
                             const ExportOptions& options) {
   double points = row.points + (options.extra_credit ? row.extra_points : 0.0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -60,5 +61,11 @@ std::vector<std::string> export_names();
 /// The points to enter for a row; "87.5".
 std::string points_to_enter(const ClassRow& row, const ClassResults& results,
                             const ExportOptions& options);
+
+/// Notes whose grade is not written: those whom the gradebook does not know, and those who have
+/// none. `in_words` is what the file is called: "gradebook".
+void note_missing(const ClassResults& results,
+                  const std::function<bool(const ClassRow&)>& was_found,
+                  const std::string& in_words, std::vector<std::string>& notes);
 
 }  // namespace meshgrade

@@ -4,8 +4,8 @@
 #include <cctype>
 
 #include "grader/base/errors.h"
-#include "grader/base/wire.h"
 #include "grader/base/job_pool.h"
+#include "grader/base/wire.h"
 
 namespace meshgrade {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <set>
 
+#include "grader/base/job_pool.h"
 #include "grader/base/random.h"
 #include "grader/base/wire.h"
-#include "grader/base/job_pool.h"
 #include "grader/mutants/variants.h"
 #include "grader/report/json_report.h"
 

@@ -168,13 +168,13 @@ Report make_report(const Assignment& assignment, const Submission& submission,
   report.assignment = assignment.title;
   report.submission = printable(submission.name);
   report.seed = assignment.seed;
+  report.notes = submission.notes;
   if (assignment.hidden) {
     report.hidden_show = assignment.hidden->show;
     if (!assignment.hidden->seed) {
       report.notes.emplace_back("hidden cases are not part of this: their seed is not here");
     }
   }
-  report.notes = submission.notes;
   for (const BuiltFile& file : files) {
     const bool whole = file.ok && file.left_out.empty();
     report.files.push_back({file.name, whole, file.messages, file.linked});

@@ -100,6 +100,7 @@ void read(const Json& value, CaseReport& report) {
   report.note = value.at("note");
   report.excused = value.value("excused", false);
   report.hidden = value.value("hidden", false);
+  report.shrunk_from = value.value("shrunk_from", "");
   report.output = value.at("output");
   report.output_bytes = value.at("output_bytes");
   report.findings = read_list<FindingReport>(value, "findings");

@@ -30,9 +30,9 @@ enum class Take {
   kNothing,
 };
 
-/// Unpacks the folders and regular files of an archive into an empty folder. Links, devices, and names that
-/// lead out of the folder are left out. Nothing is executed and no other program is called.
-/// `choose` says how much of a file is wanted; empty: all of everything.
+/// Unpacks the folders and regular files of an archive into an empty folder. Links, devices,
+/// and names that lead out of the folder are left out. Nothing is executed and no other program
+/// is called. `choose` says how much of a file is wanted; empty: all of everything.
 /// @return a note on each kind of thing that was left out
 /// @throws UserError "<name>: ..." if the archive is damaged, encrypted, or beyond the limits
 std::vector<std::string> unpack_archive(

@@ -74,18 +74,18 @@ TEST_F(BatchCommand, MistakesAreSaid) {
               HasSubstr("there is no hand-in of \"zoe\""));
   EXPECT_THAT(call({"export", results_.string(), "csv"}).output,
               HasSubstr("there are no results of a class here"));
-  EXPECT_THAT(call({"batch", (scratch_.path() / "no.zip").string(), "-o", results_.string()})
-                  .output,
-              HasSubstr("there is no such"));
+  EXPECT_THAT(
+      call({"batch", (scratch_.path() / "no.zip").string(), "-o", results_.string()}).output,
+      HasSubstr("there is no such"));
 }
 
 TEST_F(BatchCommand, AnInterruptStopsItAndItGoesOn) {
   write_file(class_ / "eve" / "edge_flip.cpp",
              read_whole_file(wrong("edge_flip/sleeps/edge_flip.cpp")));
   Command command;
-  command.arguments = {"timeout",         "--signal=INT", "3", MESHGRADE_PROGRAM, "batch",
-                       class_.string(),   "-o",           results_.string(), "--exercise",
-                       "edge_flip",       "--jobs",       "2"};
+  command.arguments = {"timeout",    "--signal=INT",  "3",      MESHGRADE_PROGRAM,
+                       "batch",      class_.string(), "-o",     results_.string(),
+                       "--exercise", "edge_flip",     "--jobs", "2"};
   const ProcessResult stopped = run_process(command);
   EXPECT_THAT(stopped.output, HasSubstr("stopped; the same command goes on from here"));
   EXPECT_FALSE(fs::exists(results_ / ".tmp"));

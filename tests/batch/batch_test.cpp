@@ -103,6 +103,17 @@ TEST(Batch, ADamagedResultIsNoticedAndRedone) {
   }
 }
 
+TEST(Batch, FilesOfTheirOwnLieBesideTheReport) {
+  MadeUpClass made(MadeUpClass::Texts{{"ann", "10"}});
+  made.grading_.add_files = [](Report& report, const fs::path& folder) {
+    write_file(folder / "picture.svg", "<svg/>");
+    report.notes.emplace_back("see picture.svg");
+  };
+  made.run();
+  EXPECT_TRUE(fs::exists(made.store().folder_of("ann") / "picture.svg"));
+  EXPECT_THAT(made.result_of("ann").report->notes, ElementsAre("see picture.svg"));
+}
+
 TEST(Batch, AStoppedBatchGoesOn) {
   MadeUpClass made({{"ann", "10"}, {"bob", "2"}, {"cem", "3"}});
   BatchOptions options;
@@ -194,14 +205,8 @@ TEST(ClassResults, AreReadBackFromTheirJson) {
   MadeUpClass made({{"ann", "10"}, {"bob", "throw"}});
   write_file(made.submissions() / "note.txt", "x");
   made.run();
-  Assignment assignment;
-  assignment.title = "Meshes";
-  ExerciseRubric rubric;
-  rubric.name = "edge_flip";
-  rubric.groups.push_back({"basic", "", 10.0, false, false, ""});
-  assignment.exercises = {rubric};
   const ClassResults results =
-      collect_results(read_roster(made.submissions(), {}), assignment, {}, made.store());
+      collect_results(read_roster(made.submissions(), {}), one_exercise(), {}, made.store());
   ASSERT_EQ(results.rows.size(), 2U);
   EXPECT_EQ(results.rows[0].points, 10.0);
   EXPECT_EQ(results.rows[0].exercises.at(0).verdict, "passed");

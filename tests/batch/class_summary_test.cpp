@@ -17,22 +17,12 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-Assignment one_exercise() {
-  Assignment assignment;
-  assignment.title = "Meshes";
-  ExerciseRubric rubric;
-  rubric.name = "edge_flip";
-  rubric.groups.push_back({"basic", "", 10.0, false, false, ""});
-  assignment.exercises = {rubric};
-  return assignment;
-}
-
 /// What became of a class of those texts.
 struct GradedClass {
   explicit GradedClass(const MadeUpClass::Texts& texts) : made(texts) {
     made.run();
-    results = collect_results(read_roster(made.submissions(), {}), one_exercise(), {},
-                              made.store());
+    results =
+        collect_results(read_roster(made.submissions(), {}), one_exercise(), {}, made.store());
   }
 
   MadeUpClass made;
@@ -40,7 +30,8 @@ struct GradedClass {
 };
 
 TEST(ClassSummary, CountsAndMeasures) {
-  GradedClass graded({{"ann", "10"}, {"bob", "0"}, {"cem", "9.9"}, {"dan", "5"}, {"eve", "throw"}});
+  GradedClass graded(
+      {{"ann", "10"}, {"bob", "0"}, {"cem", "9.9"}, {"dan", "5"}, {"eve", "throw"}});
   graded.results.rows[1].late = true;
   const ClassSummary summary = summarize(graded.results, graded.made.store());
   EXPECT_EQ(summary.statuses.at("graded"), 4U);
@@ -115,16 +106,16 @@ TEST(ClassSummary, ARuleCountsOnceForEachHandIn) {
 TEST(ClassDiff, NamesWhoChangedAndByHowMuch) {
   const GradedClass before({{"ann", "10"}, {"bob", "2"}, {"cem", "3"}, {"dan", "throw"}});
   const GradedClass after({{"ann", "10"}, {"bob", "7"}, {"dan", "4"}, {"eve", "1"}});
-  const auto changes = compare_classes(before.results, before.made.store(), after.results,
-                                       after.made.store());
+  const auto changes =
+      compare_classes(before.results, before.made.store(), after.results, after.made.store());
   EXPECT_EQ(to_text(changes, 5),
             "bob: 2 points -> 7 points (+5)\n"
             "cem: 3 points -> not there (-3)\n"
             "dan: grader error -> 4 points (+4)\n"
             "eve: not there -> 1 points (+1)\n");
-  EXPECT_THAT(compare_classes(before.results, before.made.store(), before.results,
-                              before.made.store()),
-              IsEmpty());
+  EXPECT_THAT(
+      compare_classes(before.results, before.made.store(), before.results, before.made.store()),
+      IsEmpty());
 }
 
 TEST(ClassDiff, NamesTheCasesThatMadeTheDifference) {

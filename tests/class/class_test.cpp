@@ -1,6 +1,7 @@
 // A class of 200 gets exactly the points that it must get: at one and two jobs, after being
 // killed at 20 random moments, and from the layout of every platform.
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -43,9 +44,9 @@ class GeneratedClass : public testing::Test {
 
   static std::vector<std::string> words(const fs::path& submissions, const fs::path& results,
                                         unsigned jobs) {
-    return {MESHGRADE_PROGRAM,     "batch",        submissions.string(),
-            "-o",                  results.string(), "--assignment",
-            assignment_.string(),  "--jobs",       std::to_string(jobs)};
+    return {MESHGRADE_PROGRAM,   "batch",        submissions.string(), "-o",
+            results.string(),    "--assignment", assignment_.string(), "--jobs",
+            std::to_string(jobs)};
   }
 
   static fs::path place(const std::string& name) { return scratch_->path() / name; }
@@ -176,8 +177,7 @@ class ClassInLayout : public GeneratedClass {
         if (entry.is_symlink()) {
           entries.push_back({entry.path().filename().string(), "", AE_IFLNK, "/etc/passwd"});
         } else {
-          entries.push_back(
-              {entry.path().filename().string(), read_whole_file(entry.path())});
+          entries.push_back({entry.path().filename().string(), read_whole_file(entry.path())});
         }
       }
       make_archive(to / (start + "homework.zip"), entries);
@@ -222,15 +222,13 @@ TEST_F(ClassInLayout, Gradescope) {
 }
 
 TEST_F(ClassInLayout, GitHubClassroom) {
-  arrange(place("github-classroom"), [](const GeneratedStudent& s) {
-    return "flip-submissions/flip-" + s.id;
-  });
+  arrange(place("github-classroom"),
+          [](const GeneratedStudent& s) { return "flip-submissions/flip-" + s.id; });
   expect_layout("github-classroom", same_id);
 }
 
 TEST_F(ClassInLayout, Autolab) {
-  arrange_files(place("autolab"),
-                [](const GeneratedStudent& s) { return s.id + "@x.edu_3_"; });
+  arrange_files(place("autolab"), [](const GeneratedStudent& s) { return s.id + "@x.edu_3_"; });
   expect_layout("autolab", [](const GeneratedStudent& s) { return s.id + "@x.edu"; });
 }
 
@@ -245,7 +243,8 @@ TEST_F(ClassInLayout, PlainArchive) {
   for (std::size_t i = 0; i < kStudentsOfALayout; ++i) {
     entries.push_back({"class/" + students_[i].id, "", AE_IFDIR});
     for (const auto& entry : fs::directory_iterator(students_[i].folder)) {
-      const std::string name = "class/" + students_[i].id + "/" + entry.path().filename().string();
+      const std::string name =
+          "class/" + students_[i].id + "/" + entry.path().filename().string();
       if (!entry.is_symlink()) entries.push_back({name, read_whole_file(entry.path())});
     }
   }

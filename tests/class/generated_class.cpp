@@ -65,7 +65,8 @@ void add_right(std::vector<KindOfWork>& kinds) {
     write_file(folder / "edge_flip.cpp", reference_flip());
   }));
   kinds.push_back(right("in an archive", [](const fs::path& folder) {
-    make_archive(folder / "hw.zip", {{"hw/src.txt", "x"}, {"hw/edge_flip.cpp", reference_flip()}});
+    make_archive(folder / "hw.zip",
+                 {{"hw/src.txt", "x"}, {"hw/edge_flip.cpp", reference_flip()}});
   }));
   kinds.push_back(right("in an archive in an archive", [](const fs::path& folder) {
     make_archive(folder / "a.tar.gz", {{"edge_flip.cpp", reference_flip()}});
@@ -84,9 +85,9 @@ void add_hostile(std::vector<KindOfWork>& kinds) {
   kinds.push_back(zero("includes itself", "not compiled", "#include __FILE__\n"));
   kinds.push_back(zero("includes a device", "not compiled",
                        "#include \"/dev/null\"\n#error \033[31m ::error::forged\n"));
-  kinds.push_back(zero("ends before main", "crashed",
-                       "#include <cstdlib>\nstatic int x = (std::_Exit(0), 1);\n" +
-                           reference_flip()));
+  kinds.push_back(
+      zero("ends before main", "crashed",
+           "#include <cstdlib>\nstatic int x = (std::_Exit(0), 1);\n" + reference_flip()));
 }
 
 void add_ungradable(std::vector<KindOfWork>& kinds) {
@@ -101,7 +102,8 @@ void add_ungradable(std::vector<KindOfWork>& kinds) {
     make_archive(folder / "hw.zip", {{"edge_flip.cpp", reference_flip()}}, "secret");
   }));
   kinds.push_back(ungradable("truncated", [](const fs::path& folder) {
-    const fs::path file = make_archive(folder / "hw.zip", {{"edge_flip.cpp", reference_flip()}});
+    const fs::path file =
+        make_archive(folder / "hw.zip", {{"edge_flip.cpp", reference_flip()}});
     fs::resize_file(file, fs::file_size(file) / 2);
   }));
   kinds.push_back(ungradable("leads out", [](const fs::path& folder) {

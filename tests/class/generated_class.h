@@ -1,7 +1,7 @@
 #pragma once
 
-// A class that is made for the test: known-right, known-wrong, non-compiling, crashing, endless,
-// hostile and empty submissions, each with the points that it must get for edge_flip.
+// A class that is made for the test: known-right, known-wrong, non-compiling, crashing,
+// endless, hostile and empty submissions, each with the points that it must get for edge_flip.
 
 #include <filesystem>
 #include <string>

@@ -13,7 +13,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-
 ClassRow row_of(const std::string& key, std::vector<Person> people, double points,
                 double extra = 0.0) {
   ClassRow row;
@@ -33,8 +32,9 @@ ClassResults made_up_class() {
   results.max_points = 100.0;
   results.max_extra_points = 10.0;
   results.exercises = {{"edge_flip", "", 0.0, 100.0, 0.0, 10.0}};
-  results.rows = {row_of("ann", {{"101", "Ann", "ann@x.edu"}}, 87.5),
-                  row_of("team", {{"102", "Bob", ""}, {"103", "=cmd|' /C calc'!A0", ""}}, 100, 5)};
+  results.rows = {
+      row_of("ann", {{"101", "Ann", "ann@x.edu"}}, 87.5),
+      row_of("team", {{"102", "Bob", ""}, {"103", "=cmd|' /C calc'!A0", ""}}, 100, 5)};
   ClassRow broken = row_of("cem", {{"104", "Cem", ""}}, 0.0);
   broken.status = ResultStatus::kGraderError;
   broken.reason = "=its, \"process\"\ndied";
@@ -104,27 +104,27 @@ const char* const kCanvasGradebook =
 
 TEST(CanvasExport, FillsOneColumnOfTheGradebook) {
   const Exported exported = write("canvas", with_gradebook(kCanvasGradebook, "Meshes"));
-  EXPECT_THAT(
-      rows(exported.text),
-      ElementsAre(
-          ElementsAre("Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Meshes (22)"),
-          ElementsAre("    Points Possible", "", "", "", "", "100"),
-          ElementsAre("Lee, Ann", "101", "u1", "ann", "S1", "87.5"),
-          ElementsAre("Ross, Bob", "102", "u2", "bob", "S1", "105"),
-          ElementsAre("Oz, Cem", "104", "u4", "cem", "S1", ""),
-          ElementsAre("Dor, Dan", "999", "u5", "105", "S1", "0"),
-          ElementsAre("Way, A", "998", "u9", "away", "S1", "")));
-  EXPECT_THAT(exported.notes, ElementsAre("cem has no grade (grader error): the score is left "
-                                          "empty"));
+  EXPECT_THAT(rows(exported.text),
+              ElementsAre(ElementsAre("Student", "ID", "SIS User ID", "SIS Login ID", "Section",
+                                      "Meshes (22)"),
+                          ElementsAre("    Points Possible", "", "", "", "", "100"),
+                          ElementsAre("Lee, Ann", "101", "u1", "ann", "S1", "87.5"),
+                          ElementsAre("Ross, Bob", "102", "u2", "bob", "S1", "105"),
+                          ElementsAre("Oz, Cem", "104", "u4", "cem", "S1", ""),
+                          ElementsAre("Dor, Dan", "999", "u5", "105", "S1", "0"),
+                          ElementsAre("Way, A", "998", "u9", "away", "S1", "")));
+  EXPECT_THAT(exported.notes, ElementsAre("cem has no grade (grader error): none is written to "
+                                          "the gradebook"));
 }
 
 TEST(CanvasExport, TheColumnIsFoundByTitleOrNumberOrAsked) {
   for (const char* name : {"Meshes", "Meshes (22)", "22"})
     EXPECT_THAT(write("canvas", with_gradebook(kCanvasGradebook, name)).text,
                 HasSubstr("Meshes (22)"));
-  EXPECT_EQ(user_error([] { write("canvas", with_gradebook(kCanvasGradebook)); }),
-            "the gradebook has several assignments: choose one with --column, of \"Essay (1)\", "
-            "\"Meshes (22)\"");
+  EXPECT_EQ(
+      user_error([] { write("canvas", with_gradebook(kCanvasGradebook)); }),
+      "the gradebook has several assignments: choose one with --column, of \"Essay (1)\", "
+      "\"Meshes (22)\"");
   EXPECT_THAT(user_error([] { write("canvas", with_gradebook(kCanvasGradebook, "Mesh")); }),
               HasSubstr("the gradebook has no such assignment"));
   EXPECT_THAT(user_error([] { write("canvas", with_gradebook("a,b,c\r\n1,2,3\r\n")); }),
@@ -159,7 +159,7 @@ TEST(MoodleExport, ChangesOnlyTheGrades) {
   expected.replace(expected.find(",12.5,"), 6, ",105,");
   EXPECT_EQ(exported.text, expected);
   EXPECT_THAT(exported.notes,
-              ElementsAre("cem has no grade (grader error): the worksheet keeps what it has",
+              ElementsAre("cem has no grade (grader error): none is written to the worksheet",
                           "dan is not in the worksheet: no grade is written"));
 }
 
@@ -173,8 +173,9 @@ TEST(MoodleExport, KeepsADecimalComma) {
 
 TEST(MoodleExport, SaysWhatMoodleWouldPassOver) {
   std::string sheet = "Identifier,Grade,Maximum Grade\nParticipant 101,,10.00\n";
-  EXPECT_THAT(write("moodle", with_gradebook(sheet)).notes,
-              testing::Contains(HasSubstr("ann has 87.5 points, but the maximum in Moodle is 10")));
+  EXPECT_THAT(
+      write("moodle", with_gradebook(sheet)).notes,
+      testing::Contains(HasSubstr("ann has 87.5 points, but the maximum in Moodle is 10")));
   ExportOptions scaled = with_gradebook(sheet);
   scaled.out_of = 10.0;
   EXPECT_THAT(write("moodle", scaled).text, HasSubstr("Participant 101,8.75,10.00"));

@@ -84,19 +84,19 @@ TEST(Gradescope, KeepsTheRules) {
 }
 
 TEST(Gradescope, AFaultOfTheGraderGivesNoScore) {
-  EXPECT_FALSE(json::parse(write("gradescope", nullptr, ResultStatus::kGraderError))
-                   .contains("score"));
-  EXPECT_EQ(
-      json::parse(write("gradescope", nullptr, ResultStatus::kUngradable)).at("score"), 0.0);
+  EXPECT_FALSE(
+      json::parse(write("gradescope", nullptr, ResultStatus::kGraderError)).contains("score"));
+  EXPECT_EQ(json::parse(write("gradescope", nullptr, ResultStatus::kUngradable)).at("score"),
+            0.0);
 }
 
 TEST(Gradescope, ExtraCreditMayStayOut) {
   const Report report = made_up_report();
   ExportOptions options;
   options.extra_credit = false;
-  EXPECT_EQ(json::parse(write("gradescope", &report, ResultStatus::kGraded, options))
-                .at("score"),
-            14.0);
+  EXPECT_EQ(
+      json::parse(write("gradescope", &report, ResultStatus::kGraded, options)).at("score"),
+      14.0);
 }
 
 TEST(Autolab, TheLastLineHoldsTheScoresAndNothingElseDoes) {
@@ -169,8 +169,9 @@ TEST(GitHubAnnotations, EveryLineIsACommandOfOurs) {
     const std::string properties = line.substr(2, line.find("::", 2) - 2);
     EXPECT_EQ(properties.find(':'), std::string::npos) << properties;
   }
-  EXPECT_THAT(graded("github-annotations"),
-              HasSubstr("file=my%3Aflip%2C%25.cpp,line=12,title=Edge flip%3A boundary edges::"));
+  EXPECT_THAT(
+      graded("github-annotations"),
+      HasSubstr("file=my%3Aflip%2C%25.cpp,line=12,title=Edge flip%3A boundary edges::"));
 }
 
 std::string from_base64(const std::string& text) {
@@ -216,14 +217,15 @@ TEST(JUnit, KeepsTheSchema) {
   options.time = "2026-01-31T12:00:00";
   command.arguments.push_back(
       write_file(folder.path() / "a.xml",
-                 write("junit", &report, ResultStatus::kGraded, options)).string());
+                 write("junit", &report, ResultStatus::kGraded, options))
+          .string());
   command.arguments.push_back(
       write_file(folder.path() / "b.xml", write("junit", nullptr, ResultStatus::kGraderError))
           .string());
   const ProcessResult valid = run_process(command);
   EXPECT_TRUE(valid.ok()) << valid.output;
-  command.arguments.back() = write_file(folder.path() / "c.xml", "<testsuites><x/></testsuites>")
-                                 .string();
+  command.arguments.back() =
+      write_file(folder.path() / "c.xml", "<testsuites><x/></testsuites>").string();
   EXPECT_FALSE(run_process(command).ok()) << "the schema must refuse something";
 }
 

@@ -146,9 +146,8 @@ TEST(WholeReport, IsReadBackFromItsJson) {
 Report report_with_hidden_cases(HiddenShow show) {
   Assignment assignment = standard_rubric();
   assignment.hidden = HiddenCases{"", 4711, show};
-  const Submission submission =
-      submission_of({normal_file("  std::cout << \"I saw it\";\n  return Vector3D(1, 0, 0);",
-                                 "#include <iostream>")});
+  const Submission submission = submission_of({normal_file(
+      "  std::cout << \"I saw it\";\n  return Vector3D(1, 0, 0);", "#include <iostream>")});
   return grade(assignment, submission, test_home(), {"vertex_normal"}, [](const auto&) {});
 }
 

@@ -108,7 +108,8 @@ TEST_F(Archives, NothingLeavesTheFolder) {
 }
 
 TEST_F(Archives, AnEmptyFolderIsThere) {
-  EXPECT_EQ(unpack(made("hw.zip", {{"class/ann/", "", AE_IFDIR}, {"../up/", "", AE_IFDIR}})), "");
+  EXPECT_EQ(unpack(made("hw.zip", {{"class/ann/", "", AE_IFDIR}, {"../up/", "", AE_IFDIR}})),
+            "");
   EXPECT_TRUE(fs::is_directory(scratch_.path() / "out" / "class" / "ann"));
   EXPECT_FALSE(fs::exists(scratch_.path() / "up"));
 }

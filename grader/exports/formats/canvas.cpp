@@ -110,7 +110,9 @@ class GradebookFilling {
           separator));
       exported_.text += csv_line(fields, separator);
     }
-    note_the_others();
+    note_missing(
+        results_, [&](const ClassRow& row) { return rows_.was_used(row); }, "gradebook",
+        exported_.notes);
     return std::move(exported_);
   }
 
@@ -123,17 +125,6 @@ class GradebookFilling {
     }
     return row == nullptr || !row->has_points() ? ""
                                                 : points_to_enter(*row, results_, options_);
-  }
-
-  void note_the_others() {
-    for (const ClassRow& row : results_.rows) {
-      if (!rows_.was_used(row)) {
-        exported_.notes.push_back(row.key + " is not in the gradebook: no grade is written");
-      } else if (!row.has_points()) {
-        exported_.notes.push_back(row.key + " has no grade (" + status_name(row.status) +
-                                  "): the score is left empty");
-      }
-    }
   }
 
   const ClassResults& results_;

@@ -67,7 +67,9 @@ class WorksheetFilling {
       done = record[grade_].end;
     }
     exported_.text += sheet_.substr(done);
-    note_the_others();
+    note_missing(
+        results_, [&](const ClassRow& row) { return used_.count(&row) != 0; }, "worksheet",
+        exported_.notes);
     return std::move(exported_);
   }
 
@@ -119,17 +121,6 @@ class WorksheetFilling {
     const std::size_t point = points.find('.');
     if (comma_ && point != std::string::npos) points[point] = ',';
     return points;
-  }
-
-  void note_the_others() {
-    for (const ClassRow& row : results_.rows) {
-      if (used_.count(&row) == 0) {
-        exported_.notes.push_back(row.key + " is not in the worksheet: no grade is written");
-      } else if (!row.has_points()) {
-        exported_.notes.push_back(row.key + " has no grade (" + status_name(row.status) +
-                                  "): the worksheet keeps what it has");
-      }
-    }
   }
 
   const ClassResults& results_;
