@@ -1,11 +1,11 @@
 #include "grader/app/export_command.h"
 
 #include <CLI/CLI.hpp>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
+#include "grader/app/export_target.h"
 #include "grader/base/errors.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
@@ -25,15 +25,6 @@ struct ExportCommandOptions {
   ExportOptions how;
   bool no_extra_credit = false;
 };
-
-/// "2026-01-31T12:00:00", in UTC
-std::string time_text(std::time_t time) {
-  std::tm parts{};
-  ::gmtime_r(&time, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &parts);
-  return text;
-}
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
@@ -85,7 +76,7 @@ void run_export(ExportCommandOptions& options) {
   }
   const ClassResults results = load_class_results(options.results);
   options.how.extra_credit = !options.no_extra_credit;
-  options.how.time = time_text(std::time(nullptr));
+  options.how.time = time_of_export();
   if (!options.gradebook.empty()) options.how.gradebook = read_whole_file(options.gradebook);
   if (of_class != nullptr) {
     export_class(*of_class, results, options);

@@ -156,7 +156,9 @@ class Batch {
       save(result, grading_.to_text(*result.report));
       return;
     }
-    if (grading_.add_files) grading_.add_files(*result.report, store_.make_folder(result.key));
+    if (result.report && grading_.add_files) {
+      grading_.add_files(*result.report, store_.make_folder(result.key));
+    }
     require_room();
     save(result);
   }
@@ -177,9 +179,10 @@ class Batch {
     std::error_code error;
     const fs::space_info space = fs::space(folder_, error);
     if (error || space.available >= kLeastRoom) return;
-    throw UserError(folder_.string() +
-                    ": the disk is nearly full; what is graded is "
-                    "safe. Make room, and the same command goes on");
+    throw UserError(
+        folder_.string() +
+        ": the disk is nearly full; what is graded is safe. Make room, and the same "
+        "command goes on");
   }
 
   /// Back in the process that waits.

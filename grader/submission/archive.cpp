@@ -102,10 +102,17 @@ class Unpacking {
   }
 
   [[noreturn]] void refuse_damaged() const {
-    if (::archive_read_has_encrypted_entries(reader_.get()) > 0) refuse_encrypted();
+    // Before the first entry libarchive may not be asked: it does not know the format yet.
+    if (entries_ > 0 && ::archive_read_has_encrypted_entries(reader_.get()) > 0) {
+      refuse_encrypted();
+    }
     const char* reason = ::archive_error_string(reader_.get());
+    const std::string text = reason == nullptr ? "" : reason;
+    if (text.find("ncrypt") != std::string::npos || text.find("rypto") != std::string::npos) {
+      refuse_encrypted();
+    }
     refuse("the archive is damaged or of another kind than its name says" +
-           (reason == nullptr ? "" : " (" + printable(reason) + ")"));
+           (text.empty() ? "" : " (" + printable(text) + ")"));
   }
 
   [[noreturn]] void refuse_encrypted() const {

@@ -79,6 +79,18 @@ TEST_F(BatchCommand, MistakesAreSaid) {
       HasSubstr("there is no such"));
 }
 
+TEST_F(BatchCommand, ACheckExportsItsResultWhateverItIs) {
+  const fs::path file = scratch_.path() / "results.json";
+  const std::string target = "gradescope=" + file.string();
+  EXPECT_EQ(call({"check", (class_ / "ann").string(), "edge_flip", "--export", target}).status,
+            0);
+  EXPECT_THAT(read_whole_file(file), HasSubstr("\"score\": 20.0"));
+  EXPECT_EQ(call({"check", (class_ / "bob").string(), "--export", target}).status, 2);
+  EXPECT_THAT(read_whole_file(file), HasSubstr("\"score\": 0.0"));
+  EXPECT_THAT(call({"check", reference(), "--export", "blackboard=x"}).output,
+              HasSubstr("--export takes FORMAT=FILE"));
+}
+
 TEST_F(BatchCommand, AnInterruptStopsItAndItGoesOn) {
   write_file(class_ / "eve" / "edge_flip.cpp",
              read_whole_file(wrong("edge_flip/sleeps/edge_flip.cpp")));
