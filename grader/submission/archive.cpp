@@ -84,6 +84,10 @@ class Unpacking {
       if (status == ARCHIVE_EOF) break;
       // A warning is about a name or an attribute: the data can be read.
       if (status < ARCHIVE_WARN) refuse_damaged();
+      if (is_compressed_file(file_) &&
+          ::archive_filter_code(reader_.get(), 0) == ARCHIVE_FILTER_NONE) {
+        refuse_damaged();
+      }
       if (++entries_ > limits_.entries) {
         refuse("holds more than " + std::to_string(limits_.entries) + " entries");
       }
