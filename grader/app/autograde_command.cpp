@@ -1,17 +1,15 @@
 #include "grader/app/autograde_command.h"
 
 #include <CLI/CLI.hpp>
-#include <ctime>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 #include "grader/app/context.h"
+#include "grader/app/export_target.h"
 #include "grader/app/grading.h"
 #include "grader/base/errors.h"
-#include "grader/base/safe_file.h"
 #include "grader/base/text.h"
-#include "grader/exports/exports.h"
 
 namespace meshgrade {
 namespace {
@@ -24,89 +22,28 @@ struct AutogradeOptions {
   std::vector<std::string> writes;  ///< "gradescope=results.json"
 };
 
-/// One form in which the result is wanted, and where.
-struct Wanted {
-  const StudentExport* format = nullptr;
-  std::string file;  ///< "-": to standard output
-};
-
-std::vector<Wanted> read_wanted(const std::vector<std::string>& writes) {
-  std::vector<Wanted> wanted;
-  for (const std::string& write : writes) {
-    const std::size_t equals = write.find('=');
-    const std::string name = write.substr(0, equals);
-    const StudentExport* format = find_student_export(name);
-    if (equals == std::string::npos || format == nullptr) {
-      std::vector<std::string> known;
-      for (const StudentExport& each : student_exports())
-        known.emplace_back(each.name);
-      throw UserError("--write " + write + ": write FORMAT=FILE, where FORMAT is one of " +
-                      join(known, ", "));
-    }
-    wanted.push_back({format, write.substr(equals + 1)});
-  }
-  return wanted;
-}
-
-/// What came of it, whatever happens: a platform gets a result for every submission.
-struct Graded {
-  ResultStatus status = ResultStatus::kGraded;
-  std::string reason;
-  std::optional<Report> report;
-};
-
-Graded grade_for_host(const AutogradeOptions& options, const Assignment& assignment) {
-  Graded graded;
+/// Grades what the platform hands over, and writes what came of it, whatever that is.
+int autograde(const AutogradeOptions& options) {
+  const std::vector<ExportTarget> targets = parse_export_targets(options.writes);
+  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
+  require_hidden_seed(assignment);
   std::optional<Submission> submission;
   try {
     submission = find_submission(options.submission, assignment.submission);
   } catch (const UserError& error) {
-    graded.status = ResultStatus::kUngradable;
-    graded.reason = error.what();
-    return graded;
+    std::cerr << "meshgrade: not graded: " << printable(error.what()) << "\n";
+    write_exports(targets, ResultStatus::kUngradable, error.what());
+    return 0;
   }
   try {
-    Report report = grade(assignment, *submission, find_home(), {}, [](const std::string&) {});
-    if (report.has_grader_error())
-      throw GraderError("a case ended with an error of the grader");
-    graded.report = student_view(std::move(report));
+    const Report report =
+        grade(assignment, *submission, find_home(), {}, [](const std::string&) {});
+    write_exports(targets, report);
+    return report.has_grader_error() ? kGraderFailed : 0;
   } catch (const GraderError& error) {
-    graded.status = ResultStatus::kGraderError;
-    graded.reason = error.what();
+    write_exports(targets, ResultStatus::kGraderError, error.what());
+    throw;
   }
-  return graded;
-}
-
-std::string time_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  ::gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &parts);
-  return text;
-}
-
-int autograde(const AutogradeOptions& options) {
-  const std::vector<Wanted> wanted = read_wanted(options.writes);
-  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
-  require_hidden_seed(assignment);
-  const Graded graded = grade_for_host(options, assignment);
-  ExportOptions how;
-  how.time = time_now();
-  const StudentResult result{"submission", graded.status, printable(graded.reason),
-                             graded.report ? &*graded.report : nullptr};
-  for (const Wanted& want : wanted) {
-    const std::string text = want.format->write(result, how);
-    if (want.file == "-") {
-      std::cout << text << std::flush;
-    } else {
-      write_file_safely(want.file, text);
-    }
-  }
-  if (graded.status == ResultStatus::kGraded) return 0;
-  std::cerr << "meshgrade: " << status_name(graded.status) << ": " << printable(graded.reason)
-            << "\n";
-  return graded.status == ResultStatus::kGraderError ? kGraderFailed : 0;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "grader/app/export_target.h"
 
 #include <ctime>
+#include <iostream>
 
 #include "grader/base/errors.h"
 #include "grader/base/safe_file.h"
@@ -12,8 +13,14 @@ namespace {
 void write(const std::vector<ExportTarget>& targets, const StudentResult& result) {
   ExportOptions options;
   options.time = time_of_export();
-  for (const ExportTarget& target : targets)
-    write_file_safely(target.file, target.format->write(result, options));
+  for (const ExportTarget& target : targets) {
+    const std::string text = target.format->write(result, options);
+    if (target.file == "-") {
+      std::cout << text << std::flush;
+    } else {
+      write_file_safely(target.file, text);
+    }
+  }
 }
 
 }  // namespace
@@ -27,7 +34,7 @@ std::vector<ExportTarget> parse_export_targets(const std::vector<std::string>& t
       std::vector<std::string> names;
       for (const StudentExport& known : student_exports())
         names.emplace_back(known.name);
-      throw UserError("--export takes FORMAT=FILE, for example gradescope=results.json, and " +
+      throw UserError("--write takes FORMAT=FILE, for example gradescope=results.json, and " +
                       printable(text) + " is none; the formats are " + join(names, ", "));
     }
     targets.push_back({format, text.substr(equals + 1)});

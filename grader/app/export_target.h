@@ -11,7 +11,7 @@ namespace meshgrade {
 /// A file to write the result of one submission to, and in which form.
 struct ExportTarget {
   const StudentExport* format = nullptr;
-  std::filesystem::path file;
+  std::filesystem::path file;  ///< "-": standard output
 };
 
 /// From texts like "gradescope=results.json".

@@ -79,16 +79,15 @@ TEST_F(BatchCommand, MistakesAreSaid) {
       HasSubstr("there is no such"));
 }
 
-TEST_F(BatchCommand, ACheckExportsItsResultWhateverItIs) {
+TEST_F(BatchCommand, AnAutograderWritesItsResultWhateverItIs) {
   const fs::path file = scratch_.path() / "results.json";
   const std::string target = "gradescope=" + file.string();
-  EXPECT_EQ(call({"check", (class_ / "ann").string(), "edge_flip", "--export", target}).status,
-            0);
+  EXPECT_EQ(call({"autograde", (class_ / "ann").string(), "--write", target}).status, 0);
   EXPECT_THAT(read_whole_file(file), HasSubstr("\"score\": 20.0"));
-  EXPECT_EQ(call({"check", (class_ / "bob").string(), "--export", target}).status, 2);
+  EXPECT_EQ(call({"autograde", (class_ / "bob").string(), "--write", target}).status, 0);
   EXPECT_THAT(read_whole_file(file), HasSubstr("\"score\": 0.0"));
-  EXPECT_THAT(call({"check", reference(), "--export", "blackboard=x"}).output,
-              HasSubstr("--export takes FORMAT=FILE"));
+  EXPECT_THAT(call({"autograde", reference(), "--write", "blackboard=x"}).output,
+              HasSubstr("--write takes FORMAT=FILE"));
 }
 
 TEST_F(BatchCommand, AnInterruptStopsItAndItGoesOn) {
