@@ -12,6 +12,7 @@
 
 #include "grader/app/batch_progress.h"
 #include "grader/app/class_source.h"
+#include "grader/app/cluster_batch.h"
 #include "grader/app/context.h"
 #include "grader/app/grader_identity.h"
 #include "grader/app/grading.h"
@@ -22,6 +23,7 @@
 #include "grader/batch/batch.h"
 #include "grader/batch/class_results.h"
 #include "grader/batch/class_summary.h"
+#include "grader/cluster/task_folder.h"
 #include "grader/exports/exports.h"
 #include "grader/report/terminal_report.h"
 
@@ -42,6 +44,8 @@ struct BatchCommandOptions {
   std::string assignment;
   std::vector<std::string> exercises;
   std::vector<std::string> only;
+  std::string only_file;
+  ClusterOptions cluster;
   RosterOptions roster;
   unsigned jobs = 0;
   bool force = false;
@@ -143,19 +147,73 @@ void refuse_results_inside(const fs::path& submissions, const fs::path& results)
                   "name a folder elsewhere");
 }
 
+std::vector<std::string> names_of(const BatchCommandOptions& options) {
+  std::vector<std::string> names = options.only;
+  if (!options.only_file.empty()) {
+    const std::vector<std::string> listed = read_task_list(options.only_file);
+    names.insert(names.end(), listed.begin(), listed.end());
+  }
+  return names;
+}
+
+/// How a task of a cluster calls this program.
+std::vector<std::string> task_command(const BatchCommandOptions& options) {
+  const auto whole = [](const std::string& path) { return fs::absolute(path).string(); };
+  std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "batch",
+                                 whole(options.submissions)};
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  add("--assignment", options.assignment.empty() ? "" : whole(options.assignment));
+  for (const std::string& exercise : options.exercises)
+    add("--exercise", exercise);
+  add("--layout", options.roster.layout);
+  add("--part", options.roster.assignment);
+  add("--jobs", std::to_string(std::max(1U, options.jobs)));
+  return words;
+}
+
+int announce_jobs(const ClusterBatch& cluster) {
+  const std::size_t count = write_jobs_file(cluster);
+  std::cout << cluster.cluster.jobs_file << ": " << plural(count, "command")
+            << ", one a line, to be run anywhere that sees the same folders.\n"
+            << "When they are done, this command without --jobs-file collects the results.\n";
+  return 0;
+}
+
+/// On Slurm, all but what needs no grading: that is done here, and quickly.
+bool run_divided(const ClusterBatch& cluster) {
+  const auto pending =
+      pending_hand_ins(cluster.roster, cluster.grading, cluster.folder.store(), cluster.how);
+  BatchOptions here = cluster.how;
+  here.force = false;
+  here.chosen.erase(std::remove_if(here.chosen.begin(), here.chosen.end(),
+                                   [&](std::size_t i) {
+                                     return pending.count(cluster.roster.hand_ins[i].key) != 0;
+                                   }),
+                    here.chosen.end());
+  return run_batch(cluster.roster, cluster.grading, cluster.folder, here) &&
+         run_on_slurm(cluster);
+}
+
 int run(const BatchCommandOptions& options, const Assignment& assignment, const Roster& roster,
         const BatchFolder& folder) {
   const Grading grading = grading_of(assignment, options, find_home());
   BatchOptions how;
-  how.jobs =
-      options.jobs != 0 ? options.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  how.jobs = options.jobs != 0 ? options.jobs : options.cluster.slurm ? 1 : cores;
   how.force = options.force;
-  how.chosen = choose_hand_ins(roster, options.only);
+  how.chosen = choose_hand_ins(roster, names_of(options));
   BatchProgress progress(roster, how.chosen.size(), ::isatty(STDERR_FILENO) != 0);
   how.progress = [&](const BatchStep& step) { progress.show(step); };
   how.stop = [] { return interrupted != 0; };
   catch_interrupts();
-  const bool complete = run_batch(roster, grading, folder, how);
+  const ClusterBatch cluster{roster, grading,         folder,
+                             how,    options.cluster, task_command(options)};
+  if (!options.force) collect_finished_tasks(cluster);
+  if (!options.cluster.jobs_file.empty()) return announce_jobs(cluster);
+  const bool complete =
+      options.cluster.slurm ? run_divided(cluster) : run_batch(roster, grading, folder, how);
   progress.finish();
   const ClassResults results =
       collect_results(roster, assignment, options.exercises, folder.store());
@@ -172,6 +230,11 @@ int batch(const BatchCommandOptions& options) {
     if (options.results.empty()) throw UserError("name a folder for the results: -o RESULTS");
     refuse_results_inside(options.submissions, options.results);
     folder.emplace(options.results);
+  }
+  if (options.cluster.wanted() && !fs::is_directory(options.submissions)) {
+    throw UserError(options.submissions +
+                    ": for a cluster it must be a folder that all its machines see; unpack it "
+                    "first");
   }
   const ClassSource source = open_class(options.submissions, options.roster);
   if (folder) return run(options, assignment, source.roster, *folder);
@@ -195,8 +258,21 @@ void add_options(CLI::App& command, BatchCommandOptions& options) {
                    "Only show what is there, for whom, and what is left out and why");
   command.add_option("--only", options.only,
                      "Only the hand-in of this person; may be repeated");
+  command.add_option("--only-file", options.only_file,
+                     "The same from a file with one name a line");
   command.add_flag("--force", options.force, "Grade again what has not changed");
-  command.add_option("-j,--jobs", options.jobs, "How many at a time; all cores if not given");
+  command.add_option("-j,--jobs", options.jobs,
+                     "How many at a time; all cores if not given, on a cluster one a task");
+  command.add_flag("--slurm", options.cluster.slurm,
+                   "Grade by an array job of the Slurm cluster that this machine belongs to");
+  command.add_option("--sbatch", options.cluster.sbatch,
+                     "An option for sbatch, such as --partition=long; may be repeated");
+  command
+      .add_option("--per-task", options.cluster.per_task,
+                  "How many hand-ins a task of a cluster grades (16)")
+      ->check(CLI::Range(1, 100'000));
+  command.add_option("--jobs-file", options.cluster.jobs_file,
+                     "Only write the commands for another scheduler to this file");
 }
 
 }  // namespace
@@ -210,6 +286,8 @@ void add_batch_command(CLI::App& app, int& exit_code) {
       "  meshgrade batch submissions --list\n"
       "  meshgrade batch submissions -o results\n"
       "  meshgrade batch submissions -o results --only alice --force\n"
+      "  meshgrade batch submissions -o results --slurm --sbatch=--partition=long\n"
+      "  meshgrade batch submissions -o results --jobs-file jobs.txt && parallel < jobs.txt\n"
       "Each result is stored as soon as it is there. However a batch is stopped, the same\n"
       "command goes on where it was; what has not changed is not graded again.\n"
       "Exit code: 0 all are graded, whatever their points, 1 some cannot be graded, 2 bad "

@@ -78,6 +78,10 @@ std::string fingerprint_of(const Submission& submission, const std::string& iden
   return digest.hex();
 }
 
+bool holds(const Result& before, const std::string& fingerprint) {
+  return before.status == ResultStatus::kGraded && before.fingerprint == fingerprint;
+}
+
 class Batch {
  public:
   Batch(const Roster& roster, const Grading& grading, const BatchFolder& folder,
@@ -131,8 +135,7 @@ class Batch {
     }
     result.fingerprint = fingerprint_of(submission, grading_.identity);
     Result before = store_.load(hand_in.key);
-    message.kept = !options_.force && before.status == ResultStatus::kGraded &&
-                   before.fingerprint == result.fingerprint;
+    message.kept = !options_.force && holds(before, result.fingerprint);
     if (message.kept) return before;
     message.reason = before.reason;
     grade(submission, slot, result);
@@ -259,6 +262,25 @@ std::vector<std::size_t> choose_hand_ins(const Roster& roster,
   if (unknown.empty()) return chosen;
   throw UserError("there is no hand-in of \"" + *unknown.begin() +
                   "\"; --list shows whose there are");
+}
+
+std::map<std::string, std::string> pending_hand_ins(const Roster& roster,
+                                                    const Grading& grading,
+                                                    const ResultStore& store,
+                                                    const BatchOptions& options) {
+  std::map<std::string, std::string> pending;
+  for (std::size_t i : options.chosen) {
+    const HandIn& hand_in = roster.hand_ins[i];
+    try {
+      const std::string fingerprint =
+          fingerprint_of(take_submission(hand_in, grading.rules), grading.identity);
+      if (options.force || !holds(store.load(hand_in.key), fingerprint))
+        pending[hand_in.key] = fingerprint;
+    } catch (const UserError&) {
+      continue;  // ungradable: that is quickly said, and not here
+    }
+  }
+  return pending;
 }
 
 bool run_batch(const Roster& roster, const Grading& grading, const BatchFolder& folder,

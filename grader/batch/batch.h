@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,13 @@ class BatchFolder {
   FileDescriptor lock_;
   std::string temporary_before_;
 };
+
+/// The hand-ins that are to be graded, key and fingerprint: not those whose result still holds,
+/// nor those that cannot be graded.
+std::map<std::string, std::string> pending_hand_ins(const Roster& roster,
+                                                    const Grading& grading,
+                                                    const ResultStore& store,
+                                                    const BatchOptions& options);
 
 /// Grades the hand-ins of a class and stores each result as soon as it is there. What has not
 /// changed since an earlier run is kept. A hand-in whose grading dies becomes a "grader error"

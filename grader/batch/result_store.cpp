@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kStatusFile = "result.json";
 constexpr const char* kSchema = "meshgrade-result/1";
 constexpr const char* kDamaged = "its result is damaged";
 
@@ -38,7 +39,7 @@ ResultStatus find_status(const std::string& name) {
 
 /// @throws UserError, Json::exception if anything is not as it was written
 Result read_result(const fs::path& folder, const std::string& key) {
-  const Json value = Json::parse(read_whole_file(folder / "result.json"));
+  const Json value = Json::parse(read_whole_file(folder / kStatusFile));
   if (value.at("schema") != kSchema || value.at("checksum") != checksum_of(value) ||
       value.at("key") != key) {
     throw UserError(kDamaged);
@@ -109,7 +110,28 @@ void ResultStore::save(const Result& result, const std::string& text) const {
   }
   write_file_safely(folder / "report.txt", text);
   value["checksum"] = checksum_of(value);
-  write_file_safely(folder / "result.json", dump(value));
+  write_file_safely(folder / kStatusFile, dump(value));
+}
+
+void ResultStore::take_over(const ResultStore& other, const std::string& key) const {
+  const fs::path from = other.folder_of(key);
+  const fs::path to = make_folder(key);
+  std::error_code error;
+  fs::remove(to / kStatusFile, error);
+  for (const auto& entry : fs::recursive_directory_iterator(from)) {
+    const fs::path name = entry.path().lexically_relative(from);
+    if (!entry.is_regular_file() || name == kStatusFile) continue;
+    fs::create_directories((to / name).parent_path(), error);
+    write_file_safely(to / name, read_whole_file(entry.path()));
+  }
+  write_file_safely(to / kStatusFile, read_whole_file(from / kStatusFile));
+}
+
+std::string ResultStore::key_in(const fs::path& result_folder) {
+  std::error_code error;
+  if (!fs::exists(result_folder / kStatusFile, error)) return {};
+  const Json value = Json::parse(read_whole_file(result_folder / kStatusFile), nullptr, false);
+  return value.is_object() ? value.value("key", "") : "";
 }
 
 Result ResultStore::load(const std::string& key) const {
@@ -117,7 +139,7 @@ Result ResultStore::load(const std::string& key) const {
   missing.key = key;
   const fs::path folder = folder_of(key);
   std::error_code error;
-  if (!fs::exists(folder / "result.json", error)) return missing;
+  if (!fs::exists(folder / kStatusFile, error)) return missing;
   try {
     return read_result(folder, key);
   } catch (const std::exception&) {

@@ -47,6 +47,15 @@ class ResultStore {
 
   std::filesystem::path folder_of(const std::string& key) const;
 
+  /// Copies a result of another store, `result.json` last.
+  /// @throws UserError if it cannot be written
+  void take_over(const ResultStore& other, const std::string& key) const;
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+  /// The key of the result in this folder of a result; empty if there is none.
+  static std::string key_in(const std::filesystem::path& result_folder);
+
  private:
   std::filesystem::path folder_;
 };
