@@ -94,7 +94,6 @@ void read(const Json& value, CaseReport& report) {
   report.id = value.at("id");
   report.group = value.at("group");
   report.title = value.at("title");
-  report.shrunk_from = value.value("shrunk_from", "");
   report.figure = value.value("figure", "");
   report.verdict = read_verdict(value);
   report.note = value.at("note");

@@ -65,6 +65,20 @@ TEST_F(BatchCommand, GradesThenKeepsThenExportsAndCompares) {
   EXPECT_EQ(same.output, "0 hand-ins changed of 2\n");
 }
 
+TEST_F(BatchCommand, PicturesLieBesideTheReportUntilNothingIsWrong) {
+  write_file(class_ / "ann" / "edge_flip.cpp",
+             read_whole_file(wrong("edge_flip/next_wrong/edge_flip.cpp")));
+  batch({"-o", results_.string()});
+  const fs::path pictures = results_ / "results" / "ann" / "figures";
+  ASSERT_TRUE(fs::is_directory(pictures));
+  const std::string first = fs::directory_iterator(pictures)->path().filename().string();
+  EXPECT_THAT(read_whole_file(results_ / "results" / "ann" / "report.json"), HasSubstr(first));
+  write_file(class_ / "ann" / "edge_flip.cpp",
+             read_whole_file(reference() + "/edge_flip.cpp"));
+  batch({"-o", results_.string()});
+  EXPECT_FALSE(fs::exists(pictures));
+}
+
 TEST_F(BatchCommand, MistakesAreSaid) {
   EXPECT_EQ(batch({}).status, 2);
   EXPECT_THAT(batch({}).output, HasSubstr("-o RESULTS"));
