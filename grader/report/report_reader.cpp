@@ -49,8 +49,8 @@ void read(const Json& value, PointerTable& table) {
 }
 
 void read(const Json& value, WrongPointer& pointer) {
-  pointer = {value.at("pointer"), value.at("role"), value.at("expected"), value.at("actual"),
-             value.at("was_set"), value.at("is_new")};
+  pointer = {value.at("pointer"), value.at("role"),    value.at("expected"),
+             value.at("actual"),  value.at("was_set"), value.at("is_new")};
 }
 
 void read(const Json& value, PointerDiff& diff) {

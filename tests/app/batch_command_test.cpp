@@ -73,8 +73,7 @@ TEST_F(BatchCommand, PicturesLieBesideTheReportUntilNothingIsWrong) {
   ASSERT_TRUE(fs::is_directory(pictures));
   const std::string first = fs::directory_iterator(pictures)->path().filename().string();
   EXPECT_THAT(read_whole_file(results_ / "results" / "ann" / "report.json"), HasSubstr(first));
-  write_file(class_ / "ann" / "edge_flip.cpp",
-             read_whole_file(reference() + "/edge_flip.cpp"));
+  write_file(class_ / "ann" / "edge_flip.cpp", read_whole_file(reference() + "/edge_flip.cpp"));
   batch({"-o", results_.string()});
   EXPECT_FALSE(fs::exists(pictures));
 }
