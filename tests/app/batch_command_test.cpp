@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 
@@ -115,6 +117,36 @@ TEST_F(BatchCommand, AnInterruptStopsItAndItGoesOn) {
   EXPECT_FALSE(fs::exists(results_ / ".tmp"));
   const Said rest = batch({"-o", results_.string(), "--only", "ann"});
   EXPECT_THAT(rest.output, HasSubstr("ann: 20 of 20 points"));
+}
+
+/// Processes whose program lies below a folder.
+std::size_t processes_of(const fs::path& folder) {
+  std::size_t count = 0;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/proc", ignored)) {
+    const std::string program = fs::read_symlink(entry.path() / "exe", ignored).string();
+    count += program.rfind(folder.string() + "/", 0) == 0 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST_F(BatchCommand, WhenItIsKilledNoStudentsCodeRunsOn) {
+  write_file(class_ / "eve" / "edge_flip.cpp",
+             read_whole_file(wrong("edge_flip/sleeps/edge_flip.cpp")));
+  const pid_t process = ::fork();
+  if (process == 0) {
+    batch({"-o", results_.string(), "--only", "eve"});
+    ::_exit(0);
+  }
+  const auto wait_for = [&](bool running) {
+    for (int i = 0; i < 1000 && (processes_of(results_) > 0) != running; ++i)
+      ::usleep(20'000);
+    return processes_of(results_);
+  };
+  EXPECT_GT(wait_for(true), 0U) << "the student's code must have begun";
+  ::kill(process, SIGKILL);
+  ::waitpid(process, nullptr, 0);
+  EXPECT_EQ(wait_for(false), 0U);
 }
 
 Roster roster_of(std::size_t count) {
