@@ -16,7 +16,6 @@ namespace meshgrade {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 namespace fs = std::filesystem;
 
