@@ -14,6 +14,7 @@
 #include "grader/app/class_source.h"
 #include "grader/app/cluster_batch.h"
 #include "grader/app/context.h"
+#include "grader/app/figure_files.h"
 #include "grader/app/grader_identity.h"
 #include "grader/app/grading.h"
 #include "grader/base/digest.h"
@@ -77,6 +78,20 @@ void list_roster(const Roster& roster) {
     std::cout << "  " << left.what << ": " << left.why << "\n";
 }
 
+/// The pictures that the student may see; those of an earlier grading go.
+void add_pictures(Report& report, const fs::path& folder) {
+  const fs::path pictures = folder / "figures";
+  std::error_code ignored;
+  fs::remove_all(pictures, ignored);
+  Report seen = student_view(report);
+  make_figure_folder(pictures);
+  if (write_figures(seen, pictures) == 0) fs::remove(pictures, ignored);
+  for (std::size_t i = 0; i < report.exercises.size(); ++i) {
+    for (std::size_t j = 0; j < report.exercises[i].cases.size(); ++j)
+      report.exercises[i].cases[j].figure = seen.exercises[i].cases[j].figure;
+  }
+}
+
 Grading grading_of(const Assignment& assignment, const BatchCommandOptions& options,
                    const Home& home) {
   Grading grading;
@@ -84,6 +99,7 @@ Grading grading_of(const Assignment& assignment, const BatchCommandOptions& opti
   grading.grade = [&assignment, &options, home](const Submission& submission, unsigned) {
     return grade(assignment, submission, home, options.exercises, [](const std::string&) {});
   };
+  grading.add_files = add_pictures;
   grading.to_text = [](const Report& report) { return to_terminal(student_view(report), {}); };
   Digest identity;
   identity.add(grader_identity(home))

@@ -222,8 +222,8 @@ class Batch {
 
 }  // namespace
 
-BatchFolder::BatchFolder(fs::path folder)
-    : folder_(make_folder(std::move(folder))), lock_(lock_results(folder_)) {
+BatchFolder::BatchFolder(const fs::path& folder)
+    : folder_(make_folder(folder)), lock_(lock_results(folder_)) {
   const char* before = std::getenv("TMPDIR");
   if (before != nullptr) temporary_before_ = before;
   clear();

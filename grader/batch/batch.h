@@ -53,7 +53,7 @@ std::vector<std::size_t> choose_hand_ins(const Roster& roster,
 class BatchFolder {
  public:
   /// @throws UserError if it cannot be made, or another batch has it
-  explicit BatchFolder(std::filesystem::path folder);
+  explicit BatchFolder(const std::filesystem::path& folder);
   BatchFolder(const BatchFolder&) = delete;
   BatchFolder& operator=(const BatchFolder&) = delete;
   ~BatchFolder();

@@ -64,8 +64,9 @@ std::string missing_text(const NeighbourhoodFigure& figure) {
 std::string figure_text(const NeighbourhoodFigure& figure) {
   std::string wrong;
   for (const FigureFault& fault : figure.faults)
-    wrong += std::string(fault.was_set ? "  set, but wrong: " : "  not changed, but must be: ") +
-             fault.text + "\n";
+    wrong +=
+        std::string(fault.was_set ? "  set, but wrong: " : "  not changed, but must be: ") +
+        fault.text + "\n";
   const std::string missing = missing_text(figure);
   if (!missing.empty()) wrong += "  " + missing + "\n";
   if (!figure.surplus.empty())

@@ -49,8 +49,8 @@ void read(const Json& value, PointerTable& table) {
 }
 
 void read(const Json& value, WrongPointer& pointer) {
-  pointer = {value.at("pointer"), value.at("role"), value.at("expected"), value.at("actual"),
-             value.at("was_set"), value.at("is_new")};
+  pointer = {value.at("pointer"), value.at("role"),    value.at("expected"),
+             value.at("actual"),  value.at("was_set"), value.at("is_new")};
 }
 
 void read(const Json& value, PointerDiff& diff) {
@@ -94,7 +94,6 @@ void read(const Json& value, CaseReport& report) {
   report.id = value.at("id");
   report.group = value.at("group");
   report.title = value.at("title");
-  report.shrunk_from = value.value("shrunk_from", "");
   report.figure = value.value("figure", "");
   report.verdict = read_verdict(value);
   report.note = value.at("note");

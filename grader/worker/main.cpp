@@ -9,6 +9,9 @@
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <algorithm>
 #include <csignal>
@@ -75,6 +78,15 @@ void record_death(const TaskList& list, SharedState& shared, int status, bool ov
   write_end(std::move(frame), shared, list.result_bytes);
 }
 
+/// In the child: when the grader is killed, the worker dies with it, and this with the worker.
+/// Nobody would be left to watch over the time.
+void die_with([[maybe_unused]] pid_t worker) {
+#ifdef __linux__
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != worker) ::_exit(kWorkerFailedStatus);
+#endif
+}
+
 /// Runs tasks in one child, from the first that is not done. @return false if all are done
 bool run_some(const TaskList& list, SharedState& shared) {
   int life_line[2];
@@ -82,9 +94,11 @@ bool run_some(const TaskList& list, SharedState& shared) {
   shared.signal = 0;
   shared.stack_size = 0;
   const std::uint32_t first = shared.tasks_done;
+  const pid_t worker = ::getpid();
   const pid_t child = ::fork();
   if (child < 0) std::exit(kWorkerFailedStatus);
   if (child == 0) {
+    die_with(worker);
     ::close(life_line[0]);
     run_tasks(list, shared);
   }

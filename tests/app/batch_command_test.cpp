@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 
@@ -14,7 +16,6 @@ namespace meshgrade {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 namespace fs = std::filesystem;
 
@@ -65,6 +66,19 @@ TEST_F(BatchCommand, GradesThenKeepsThenExportsAndCompares) {
   EXPECT_EQ(same.output, "0 hand-ins changed of 2\n");
 }
 
+TEST_F(BatchCommand, PicturesLieBesideTheReportUntilNothingIsWrong) {
+  write_file(class_ / "ann" / "edge_flip.cpp",
+             read_whole_file(wrong("edge_flip/next_wrong/edge_flip.cpp")));
+  batch({"-o", results_.string()});
+  const fs::path pictures = results_ / "results" / "ann" / "figures";
+  ASSERT_TRUE(fs::is_directory(pictures));
+  const std::string first = fs::directory_iterator(pictures)->path().filename().string();
+  EXPECT_THAT(read_whole_file(results_ / "results" / "ann" / "report.json"), HasSubstr(first));
+  write_file(class_ / "ann" / "edge_flip.cpp", read_whole_file(reference() + "/edge_flip.cpp"));
+  batch({"-o", results_.string()});
+  EXPECT_FALSE(fs::exists(pictures));
+}
+
 TEST_F(BatchCommand, MistakesAreSaid) {
   EXPECT_EQ(batch({}).status, 2);
   EXPECT_THAT(batch({}).output, HasSubstr("-o RESULTS"));
@@ -102,6 +116,36 @@ TEST_F(BatchCommand, AnInterruptStopsItAndItGoesOn) {
   EXPECT_FALSE(fs::exists(results_ / ".tmp"));
   const Said rest = batch({"-o", results_.string(), "--only", "ann"});
   EXPECT_THAT(rest.output, HasSubstr("ann: 20 of 20 points"));
+}
+
+/// Processes whose program lies below a folder.
+std::size_t processes_of(const fs::path& folder) {
+  std::size_t count = 0;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/proc", ignored)) {
+    const std::string program = fs::read_symlink(entry.path() / "exe", ignored).string();
+    count += program.rfind(folder.string() + "/", 0) == 0 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST_F(BatchCommand, WhenItIsKilledNoStudentsCodeRunsOn) {
+  write_file(class_ / "eve" / "edge_flip.cpp",
+             read_whole_file(wrong("edge_flip/sleeps/edge_flip.cpp")));
+  const pid_t process = ::fork();
+  if (process == 0) {
+    batch({"-o", results_.string(), "--only", "eve"});
+    ::_exit(0);
+  }
+  const auto wait_for = [&](bool running) {
+    for (int i = 0; i < 1000 && (processes_of(results_) > 0) != running; ++i)
+      ::usleep(20'000);
+    return processes_of(results_);
+  };
+  EXPECT_GT(wait_for(true), 0U) << "the student's code must have begun";
+  ::kill(process, SIGKILL);
+  ::waitpid(process, nullptr, 0);
+  EXPECT_EQ(wait_for(false), 0U);
 }
 
 Roster roster_of(std::size_t count) {

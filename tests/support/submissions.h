@@ -9,8 +9,8 @@ namespace meshgrade {
 
 inline Home test_home() {
   const std::filesystem::path source = MESHGRADE_SOURCE_DIR;
-  return {source / "include", MESHGRADE_KIT_DIR, source / "meshes", source / "docs",
-          source / "reference", MESHGRADE_COMPILER};
+  return {source / "include", MESHGRADE_KIT_DIR,    source / "meshes",
+          source / "docs",    source / "reference", MESHGRADE_COMPILER};
 }
 
 inline Submission submission_of(std::vector<SourceFile> sources,
