@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "grader/base/errors.h"
+#include "grader/base/process_tree.h"
 
 namespace meshgrade {
 namespace {
@@ -40,8 +41,8 @@ Pipe make_pipe() {
 }
 
 /// Runs in the new process, between fork and exec: only async-signal-safe calls.
-[[noreturn]] void become(const Command& command, char* const* argv, int input, int output,
-                         int failure, pid_t parent) {
+[[noreturn]] void become(const Command& command, char* const* argv, char* const* environment,
+                         int input, int output, int failure, pid_t parent) {
   ::setpgid(0, 0);
   die_with(parent);
   // Out of the way first, so that no descriptor is overwritten before it has been copied.
@@ -63,6 +64,7 @@ Pipe make_pipe() {
   ::fcntl(last, F_SETFD, FD_CLOEXEC);
   ::close_range(static_cast<unsigned>(last) + 1, ~0U, 0);
   if (command.folder.empty() || ::chdir(command.folder.c_str()) == 0) {
+    if (environment != nullptr) environ = const_cast<char**>(environment);
     ::execvp(argv[0], argv);
   }
   // An exit status would not do: the program itself may end with any.
@@ -73,10 +75,7 @@ Pipe make_pipe() {
 class Running {
  public:
   Running(pid_t child, FileDescriptor output, const Command& command)
-      : child_(child),
-        output_(std::move(output)),
-        deadline_(Clock::now() + command.time_limit),
-        kept_output_(command.kept_output) {}
+      : child_(child), output_(std::move(output)), command_(command) {}
 
   ProcessResult wait() {
     while (read_some()) {
@@ -89,44 +88,92 @@ class Running {
   }
 
  private:
+  static constexpr std::chrono::milliseconds kBetweenLooks{5};
+  static constexpr std::chrono::seconds kTimeToEndItsOwn{5};
+
+  /// Whether a limit is reached; looks at memory and processes too, but not all the time.
+  bool reached_limit() {
+    const auto now = Clock::now();
+    result_.timed_out = result_.timed_out || now >= deadline_;
+    if (watches_use() && now >= next_look_ && !result_.stopped()) {
+      const TreeUse use = use_of_tree(child_);
+      result_.too_many_processes =
+          command_.most_processes > 0 && use.processes > command_.most_processes;
+      result_.out_of_memory = !result_.too_many_processes && command_.most_memory > 0 &&
+                              use.memory > command_.most_memory;
+      next_look_ = now + kBetweenLooks;
+    }
+    return result_.stopped();
+  }
+
+  bool watches_use() const { return command_.most_memory > 0 || command_.most_processes > 0; }
+
+  void stop() {
+    const auto now = Clock::now();
+    if (stopped_at_ == Clock::time_point{}) stopped_at_ = now;
+    if (command_.ends_its_own && now < stopped_at_ + kTimeToEndItsOwn) {
+      ::kill(child_, SIGTERM);
+    } else {
+      ::kill(-child_, SIGKILL);
+    }
+  }
+
   /// A program may go on for as long as it likes after it has closed its output.
   int wait_for_end() {
     int status = 0;
     auto pause = std::chrono::microseconds(50);
     for (;;) {
-      result_.timed_out = result_.timed_out || Clock::now() >= deadline_;
-      if (result_.timed_out) ::kill(-child_, SIGKILL);
-      const pid_t ended = ::waitpid(child_, &status, result_.timed_out ? 0 : WNOHANG);
+      if (reached_limit()) stop();
+      const pid_t ended = ::waitpid(child_, &status, WNOHANG);
       if (ended == child_ || (ended < 0 && errno != EINTR)) return status;
       std::this_thread::sleep_for(pause);
       pause = std::min(2 * pause, std::chrono::microseconds(5000));
     }
   }
 
-  /// Waits for output. @return false when the program has ended or its time is up
+  /// Waits for output. @return false when the program has ended or a limit is reached
   bool read_some() {
-    const auto left =
+    if (reached_limit()) return false;
+    auto patience =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now());
-    if (left.count() <= 0) return !(result_.timed_out = true);
+    if (watches_use()) patience = std::min(patience, kBetweenLooks);
     pollfd ready{output_.get(), POLLIN, 0};
-    const int count = ::poll(&ready, 1, static_cast<int>(left.count()) + 1);
+    const int count = ::poll(&ready, 1, static_cast<int>(patience.count()) + 1);
     if (count < 0) return errno == EINTR;
-    if (count == 0) return !(result_.timed_out = true);
+    if (count == 0) return true;
     char buffer[16384];
     const ssize_t size = ::read(output_.get(), buffer, sizeof buffer);
     if (size < 0) return errno == EINTR;
     if (size == 0) return false;
-    const std::size_t room = kept_output_ - result_.output.size();
-    result_.output.append(buffer, std::min(static_cast<std::size_t>(size), room));
+    take(std::string_view(buffer, static_cast<std::size_t>(size)));
     return true;
+  }
+
+  void take(std::string_view output) {
+    written_ += output.size();
+    result_.too_much_output = command_.most_output > 0 && written_ > command_.most_output;
+    const std::size_t room = command_.kept_output - result_.output.size();
+    result_.output.append(output.substr(0, room));
   }
 
   pid_t child_;
   FileDescriptor output_;
-  Clock::time_point deadline_;
-  std::size_t kept_output_;
+  const Command& command_;
+  Clock::time_point deadline_ = Clock::now() + command_.time_limit;
+  Clock::time_point next_look_ = Clock::now() + kBetweenLooks;
+  Clock::time_point stopped_at_;
+  std::uint64_t written_ = 0;
   ProcessResult result_;
 };
+
+/// Pointers to these texts, as exec wants them.
+std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (const std::string& text : texts)
+    pointers.push_back(const_cast<char*>(text.c_str()));
+  pointers.push_back(nullptr);
+  return pointers;
+}
 
 }  // namespace
 
@@ -177,18 +224,16 @@ ProcessResult run_process(const Command& command) {
     fail("cannot write a temporary file");
   }
   Pipe output = make_pipe();
-  std::vector<char*> argv;
-  for (const std::string& argument : command.arguments) {
-    argv.push_back(const_cast<char*>(argument.c_str()));
-  }
-  argv.push_back(nullptr);
+  const std::vector<char*> argv = pointers_to(command.arguments);
+  std::vector<char*> environment;
+  if (command.environment) environment = pointers_to(*command.environment);
   Pipe failure = make_pipe();
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child < 0) fail("cannot start " + command.arguments.at(0));
   if (child == 0) {
-    become(command, argv.data(), input.get(), output.write_end.get(), failure.write_end.get(),
-           parent);
+    become(command, argv.data(), environment.empty() ? nullptr : environment.data(),
+           input.get(), output.write_end.get(), failure.write_end.get(), parent);
   }
   output.write_end = FileDescriptor();
   failure.write_end = FileDescriptor();

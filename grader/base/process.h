@@ -3,7 +3,9 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,19 +63,33 @@ struct Command {
   std::vector<int> shared_files;       ///< become descriptors 3, 4, ... of the program
   std::chrono::milliseconds time_limit{60'000};
   std::size_t kept_output = 1U << 20U;  ///< bytes of output that are kept; the rest is dropped
+  std::optional<std::vector<std::string>> environment;  ///< "NAME=value"; else as it is here
+  bool ends_its_own = false;  ///< asked to by SIGTERM, it ends all that it has started
+  // Limits that end the program, together with all that it has started. 0: none. Memory and
+  // processes are looked at every few milliseconds, on Linux.
+  std::uint64_t most_memory = 0;   ///< bytes of real memory, not counting files
+  std::size_t most_processes = 0;  ///< processes and threads
+  std::uint64_t most_output = 0;   ///< bytes of output
 };
 
 /// How a program ended.
 struct ProcessResult {
   bool timed_out = false;
+  bool out_of_memory = false;
+  bool too_many_processes = false;
+  bool too_much_output = false;
   int signal = 0;      ///< the signal that ended it, or 0
   int status = 0;      ///< the exit status if no signal did
   std::string output;  ///< what it wrote to standard output and standard error
 
-  bool ok() const { return !timed_out && signal == 0 && status == 0; }
+  /// It was ended because it reached a limit.
+  bool stopped() const {
+    return timed_out || out_of_memory || too_many_processes || too_much_output;
+  }
+  bool ok() const { return !stopped() && signal == 0 && status == 0; }
 };
 
-/// Runs a program to its end, or to its time limit, when it and its process group are killed.
+/// Runs a program to its end, or to a limit, when it and its process group are killed.
 /// @throws GraderError if it cannot be started at all
 ProcessResult run_process(const Command& command);
 

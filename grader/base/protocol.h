@@ -14,7 +14,7 @@
 
 namespace meshgrade {
 
-constexpr std::uint32_t kProtocolVersion = 1;
+constexpr std::uint32_t kProtocolVersion = 2;
 
 /// One case for the worker: the exercise, the packed input, and the limits.
 struct Task {
@@ -34,29 +34,32 @@ struct TaskList {
   std::uint32_t version = kProtocolVersion;
   std::uint64_t memory_bytes = 0;
   std::uint64_t result_bytes = 0;  ///< the most that the result file may hold
+  std::uint64_t output_bytes = 0;  ///< the most that one task may print
   bool alone = false;              ///< every task in a process of its own
   std::vector<Task> tasks;
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(version, memory_bytes, result_bytes, alone, tasks);
+    wire(version, memory_bytes, result_bytes, output_bytes, alone, tasks);
   }
 };
 
 /// How a case ended, as far as the worker can tell.
 enum class Ending : std::uint32_t {
   kDone = 0,
-  kFault = 1,         ///< misuse of a handle, out of steps, or not implemented: see fault_kind
-  kSignal = 2,        ///< a crash; `code` is the signal
-  kExit = 3,          ///< the code ended the process; `code` is the exit status
-  kException = 4,     ///< an exception came out of the student's function
-  kOutOfTime = 5,     ///< the time limit
-  kOutOfMemory = 6,   ///< the memory limit
-  kOutputLimit = 7,   ///< the result file or the student's output grew too large
-  kWorkerFailed = 8,  ///< the worker could not do its own part
-  kSkipped = 9,       ///< not run: too many cases before it ran out of time
+  kFault = 1,          ///< misuse of a handle, out of steps, or not implemented: see fault_kind
+  kSignal = 2,         ///< a crash; `code` is the signal
+  kExit = 3,           ///< the code ended the process; `code` is the exit status
+  kException = 4,      ///< an exception came out of the student's function
+  kOutOfTime = 5,      ///< the time limit
+  kOutOfMemory = 6,    ///< the memory limit
+  kOutputLimit = 7,    ///< the result file or the student's output grew too large
+  kWorkerFailed = 8,   ///< the worker could not do its own part
+  kSkipped = 9,        ///< not run: too many cases before it ran out of time
+  kTooManyFiles = 10,  ///< the most files that may be open were open
+  kTooManyProcesses = 11,  ///< more processes than are allowed
 };
-constexpr std::uint32_t kLastEnding = static_cast<std::uint32_t>(Ending::kSkipped);
+constexpr std::uint32_t kLastEnding = static_cast<std::uint32_t>(Ending::kTooManyProcesses);
 
 /// The packed result of one completed step of a task.
 struct StepFrame {
@@ -98,6 +101,12 @@ constexpr std::size_t kKeptOutputBytes = 4096;
 
 /// The most return addresses that are kept of a call stack.
 constexpr std::size_t kMostStackFrames = 64;
+
+/// Address space beyond the memory limit in which the worker says that it was reached.
+constexpr std::uint64_t kMemoryToReport = std::uint64_t{256} << 20U;
+
+/// Room in the result file beyond its limit in which the ends of tasks are written down.
+constexpr std::uint64_t kRoomForEnds = std::uint64_t{1} << 20U;
 
 /// File descriptors that the worker is started with.
 constexpr int kTaskFile = 3;

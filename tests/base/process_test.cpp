@@ -179,5 +179,49 @@ TEST(ScratchFolder, MovesWithItsContents) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
+#ifdef __linux__
+TEST(Process, MemoryOfAllProcessesTogetherIsLimited) {
+  Command command = shell(
+      "for i in 1 2 3; do (x=$(head -c 30000000 /dev/zero | tr '\\0' x); sleep 30) & done; "
+      "wait");
+  command.most_memory = 70'000'000;
+  expect_quick([&] {
+    const ProcessResult result = run_process(command);
+    EXPECT_TRUE(result.out_of_memory);
+    EXPECT_FALSE(result.timed_out);
+    EXPECT_FALSE(result.ok());
+  });
+}
+
+TEST(Process, NumberOfProcessesIsLimited) {
+  Command command = shell("for i in 1 2 3 4 5 6 7 8 9; do sleep 30 & done; wait");
+  command.most_processes = 6;
+  expect_quick([&] { EXPECT_TRUE(run_process(command).too_many_processes); });
+  command.most_processes = 20;
+  command.time_limit = milliseconds(300);
+  EXPECT_FALSE(run_process(command).too_many_processes);
+}
+#endif
+
+TEST(Process, ProgramThatSaysTooMuchIsStopped) {
+  Command command = shell("while :; do echo noise; done");
+  command.most_output = 100'000;
+  command.kept_output = 1000;
+  expect_quick([&] {
+    const ProcessResult result = run_process(command);
+    EXPECT_TRUE(result.too_much_output);
+    EXPECT_EQ(result.output.size(), 1000U);
+  });
+}
+
+TEST(Process, EnvironmentIsReplacedOnlyWhereOneIsGiven) {
+  ::setenv("MESHGRADE_TEST", "here", 1);
+  Command command = shell("echo $MESHGRADE_TEST");
+  EXPECT_EQ(run_process(command).output, "here\n");
+  command.environment = {"MESHGRADE_TEST=there"};
+  EXPECT_EQ(run_process(command).output, "there\n");
+  ::unsetenv("MESHGRADE_TEST");
+}
+
 }  // namespace
 }  // namespace meshgrade
