@@ -142,12 +142,20 @@ class Section {
 
 Limits read_limits(Section section) {
   Limits limits;
-  limits.compile_seconds = section.get_positive("compile_seconds", limits.compile_seconds);
-  limits.case_cpu_ms = section.get_positive("case_cpu_ms", limits.case_cpu_ms);
-  limits.case_wall_ms = section.get_positive("case_wall_ms", limits.case_wall_ms);
-  limits.run_seconds = section.get_positive("run_seconds", limits.run_seconds);
-  limits.memory_mb = section.get_positive("memory_mb", limits.memory_mb);
-  limits.result_mb = section.get_positive("result_mb", limits.result_mb);
+  const auto read = [&](const char* key, std::uint32_t& limit) {
+    limit = section.get_positive(key, limit);
+  };
+  read("compile_seconds", limits.compile_seconds);
+  read("compile_memory_mb", limits.compile_memory_mb);
+  read("object_mb", limits.object_mb);
+  read("case_cpu_ms", limits.case_cpu_ms);
+  read("case_wall_ms", limits.case_wall_ms);
+  read("run_seconds", limits.run_seconds);
+  read("memory_mb", limits.memory_mb);
+  read("result_mb", limits.result_mb);
+  read("output_mb", limits.output_mb);
+  read("processes", limits.processes);
+  read("open_files", limits.open_files);
   section.refuse_unknown_keys();
   return limits;
 }

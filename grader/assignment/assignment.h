@@ -30,13 +30,19 @@ struct ExerciseRubric {
   double extra_points() const;  ///< extra credit
 };
 
+/// Memory and sizes are in megabytes of 1024 * 1024 bytes.
 struct Limits {
   std::uint32_t compile_seconds = 60;
+  std::uint32_t compile_memory_mb = 4096;
+  std::uint32_t object_mb = 256;  ///< the largest file that compiling may make
   std::uint32_t case_cpu_ms = 5000;
   std::uint32_t case_wall_ms = 15000;
   std::uint32_t run_seconds = 300;
   std::uint32_t memory_mb = 2048;
   std::uint32_t result_mb = 512;
+  std::uint32_t output_mb = 16;  ///< what one case may print
+  std::uint32_t processes = 64;  ///< with threads
+  std::uint32_t open_files = 64;
 };
 
 struct SubmissionRules {
