@@ -3,47 +3,42 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <fstream>
+#include <exception>
 #include <thread>
 
 #include "grader/base/errors.h"
-#include "grader/base/text.h"
 #include "grader/build/added_members.h"
 #include "grader/build/tool_words.h"
+#include "grader/build/workshop.h"
 
 namespace meshgrade {
 namespace {
 
 namespace fs = std::filesystem;
 
-void write_file(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  if (!stream.flush()) throw GraderError("cannot write " + file.string());
-}
-
-/// Calls `work(i)` for i = 0 .. count - 1 on all cores.
+/// Calls `work(i)` for i = 0 .. count - 1 on all cores. Throws what one of them has thrown.
 template <class Work>
 void in_parallel(std::size_t count, Work work) {
   std::atomic<std::size_t> next{0};
+  std::vector<std::exception_ptr> failures(count);
   const auto take_turns = [&] {
-    for (std::size_t i = next++; i < count; i = next++)
-      work(i);
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        failures[i] = std::current_exception();
+      }
+    }
   };
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::jthread> helpers;
-  for (std::size_t i = 1; i < std::min(cores, count); ++i)
-    helpers.emplace_back(take_turns);
-  take_turns();
-}
-
-std::string object_name(const std::string& source) {
-  return source + ".o";
-}
-
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
-    text.replace(at, from.size(), to);
+  {
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::jthread> helpers;
+    for (std::size_t i = 1; i < std::min(cores, count); ++i)
+      helpers.emplace_back(take_turns);
+    take_turns();
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
   }
 }
 
@@ -80,68 +75,66 @@ class Builder {
       : submission_(submission),
         home_(home),
         limits_(limits),
-        flags_("@" + (home.kit / flags_file(kind)).string()) {}
+        flags_("@" + (home.kit / flags_file(kind)).string()) {
+    build_.sandbox = home.sandbox;
+    if (kind == BuildKind::kSanitized) build_.logs.emplace();
+  }
 
   Build build() {
-    for (const SourceFile& file : submission_.headers)
-      write_file(path(file.name), file.text);
     const std::size_t sources = submission_.sources.size();
     const std::vector<std::string> adapters = adapter_files(submission_.dialect);
     for (const SourceFile& source : submission_.sources)
       rests_.emplace_back(source.name, source.text);
     build_.files.resize(sources + adapters.size());
+    make_workshops();
     in_parallel(build_.files.size(), [&](std::size_t i) {
       if (i < sources) {
         compile_source(i);
       } else {
-        compile_adapter(build_.files[i], adapters[i - sources]);
+        compile_adapter(i, adapters[i - sources]);
       }
     });
     link_all();
     build_.files.resize(sources);
-    build_.worker = path(kWorker);
+    build_.worker = build_.folder.path() / kWorker;
     return std::move(build_);
   }
 
  private:
   static constexpr const char* kWorker = "worker";
+  static constexpr const char* kMerged = "merged.o";
+  static constexpr const char* kLocalised = "submission.o";
   static constexpr int kRounds = 8;
 
-  fs::path path(const std::string& name) const { return build_.folder.path() / name; }
+  /// One for each file, since several are compiled at a time.
+  void make_workshops() {
+    for (std::size_t i = 0; i < build_.files.size(); ++i) {
+      workshops_.emplace_back(home_, limits_);
+      for (const SourceFile& header : submission_.headers)
+        workshops_[i].put(header.name, header.text);
+    }
+  }
 
   std::chrono::seconds time_limit() const {
     return std::chrono::seconds(limits_.compile_seconds);
   }
 
-  Command command(std::vector<std::string> arguments) const {
-    Command command;
-    command.arguments = std::move(arguments);
-    command.folder = build_.folder.path();
-    command.time_limit = time_limit();
-    command.kept_output = 64U << 10U;
-    return command;
-  }
-
-  /// Compiler messages without the machine's paths.
-  std::string clean(std::string messages) const {
-    replace_all(messages, build_.folder.path().string() + "/", "");
-    replace_all(messages, home_.include.string() + "/", "");
-    replace_all(messages, home_.kit.string() + "/", "");
-    return printable(messages);
-  }
-
-  ProcessResult compile(const std::string& file, const std::string& object) const {
+  /// Compiles a file in its workshop, and takes the object out of it.
+  ProcessResult compile(std::size_t i, const std::string& file) const {
+    const std::string object = object_name(i);
     std::vector<std::string> arguments{
         home_.compiler,
         flags_,
         "-I.",  // before the dropin folder, which has headers to stand in for the student's
         "-I" + home_.include.string(),
-        "-ffile-prefix-map=" + build_.folder.path().string() + "=.",
+        "-ffile-prefix-map=" + workshops_[i].folder().string() + "=.",
         "-include",
         (home_.kit / "precompiled.h").string()};
     add_dialect(arguments);
     arguments.insert(arguments.end(), {"-c", file, "-o", object});
-    return run_process(command(std::move(arguments)));
+    ProcessResult result = workshops_[i].run(std::move(arguments), object);
+    if (result.ok()) workshops_[i].hand_over(object, build_.folder.path());
+    return result;
   }
 
   void add_dialect(std::vector<std::string>& arguments) const {
@@ -153,16 +146,10 @@ class Builder {
   }
 
   std::string messages_of(const ProcessResult& result) const {
-    if (result.timed_out) {
-      return "compiling took longer than " + std::to_string(limits_.compile_seconds) +
-             " seconds and was stopped\n";
-    }
-    if (is_dead_compiler(result)) {
-      return "the compiler itself broke, twice: this is no fault of the code\n" +
-             clean(result.output);
-    }
-    if (!result.ok() && result.output.empty()) return "the compiler ended without a message\n";
-    return clean(result.output);
+    const std::string said = complaints(result, limits_);
+    return is_dead_compiler(result)
+               ? "the compiler itself broke, twice: this is no fault of the code\n" + said
+               : said;
   }
 
   /// Leaves out functions that do not compile, until the rest does or none is left to blame.
@@ -178,7 +165,7 @@ class Builder {
     }
     for (int round = 0; round < kRounds && !result.ok(); ++round) {
       if (std::chrono::steady_clock::now() > end || file.compiler_died) break;
-      if (!rests_[i].learn_from(clean(result.output))) break;
+      if (!rests_[i].learn_from(result.output)) break;
       result = compile_rest(i);
     }
   }
@@ -186,33 +173,56 @@ class Builder {
   /// Compiles what is left of a source.
   ProcessResult compile_rest(std::size_t i) {
     BuiltFile& file = build_.files[i];
-    write_file(path(file.name), rests_[i].text());
-    ProcessResult result = compile(file.name, object_name(file.name));
-    if (is_dead_compiler(result)) result = compile(file.name, object_name(file.name));
+    workshops_[i].put(file.name, rests_[i].text());
+    ProcessResult result = compile(i, file.name);
+    if (is_dead_compiler(result)) result = compile(i, file.name);
     file.ok = result.ok();
     file.compiler_died = is_dead_compiler(result);
     file.left_out = file.ok ? rests_[i].left_out() : std::vector<LeftOut>();
     return result;
   }
 
-  void compile_adapter(BuiltFile& file, const std::string& name) const {
+  void compile_adapter(std::size_t i, const std::string& name) {
+    BuiltFile& file = build_.files[i];
     file.name = "~" + name;  // no submitted file can have this name
-    file.ok = compile(home_.include / "dropin" / name, object_name(file.name)).ok();
+    file.ok = compile(i, home_.include / "dropin" / name).ok();
   }
 
-  /// Links the worker with these sources' objects.
+  std::string object_name(std::size_t i) const { return build_.files[i].name + ".o"; }
+
+  /// Links the worker with these sources' objects. What the student's files define besides
+  /// functions of the course is theirs alone: malloc, write or main cannot be replaced.
   ProcessResult link(const std::vector<std::size_t>& sources) const {
-    std::vector<std::string> arguments{home_.compiler, flags_, "-no-pie", "-o", kWorker};
+    const Workshop workshop(home_, limits_, build_.folder.path());
+    std::vector<std::string> objects;
     for (std::size_t i : sources)
-      arguments.push_back(object_name(build_.files[i].name));
+      objects.push_back(object_name(i));
+    if (!objects.empty() && fs::exists(home_.kit / "merge.txt")) {
+      ProcessResult merged = merge(workshop, objects);
+      if (!merged.ok()) return merged;
+      objects = {kLocalised};
+    }
+    std::vector<std::string> arguments{home_.compiler, flags_, "-no-pie", "-o", kWorker};
+    arguments.insert(arguments.end(), objects.begin(), objects.end());
     arguments.push_back((home_.kit / "libmeshgrade_worker.a").string());
-    return run_process(command(std::move(arguments)));
+    return workshop.run(std::move(arguments), kWorker);
+  }
+
+  ProcessResult merge(const Workshop& workshop, const std::vector<std::string>& objects) const {
+    std::vector<std::string> arguments{home_.compiler, "@" + (home_.kit / "merge.txt").string(),
+                                       "-o", kMerged};
+    arguments.insert(arguments.end(), objects.begin(), objects.end());
+    ProcessResult merged = workshop.run(std::move(arguments), kMerged);
+    if (!merged.ok()) return merged;
+    return workshop.run(
+        {"objcopy", "@" + (home_.kit / "localise.txt").string(), kMerged, kLocalised},
+        kLocalised);
   }
 
   /// Leaves out functions that call what is defined nowhere.
   /// @return false if there is none, or its file does not compile without it
   bool leave_out_callers(const ProcessResult& linked) {
-    const std::string messages = clean(linked.output);
+    const std::string& messages = linked.output;
     bool found = false;
     for (std::size_t i = 0; i < rests_.size(); ++i) {
       if (!build_.files[i].ok || !rests_[i].learn_from(messages)) continue;
@@ -246,9 +256,8 @@ class Builder {
           waiting.erase(std::find(waiting.begin(), waiting.end(), i));
         } else {
           taken.pop_back();
-          const std::string messages = clean(result.output);
-          const std::string why = explain_link_error(messages);
-          build_.files[i].messages = (why.empty() ? "" : why + "\n") + messages;
+          const std::string why = explain_link_error(result.output);
+          build_.files[i].messages = (why.empty() ? "" : why + "\n") + result.output;
         }
       }
     }
@@ -264,6 +273,7 @@ class Builder {
   std::string flags_;
   Build build_;
   std::vector<LeavingOut> rests_;  ///< of the sources
+  std::vector<Workshop> workshops_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct BuiltFile {
 struct Build {
   ScratchFolder folder;
   std::filesystem::path worker;
+  Sandbox sandbox;                    ///< in which the worker is to run
+  std::optional<ScratchFolder> logs;  ///< where the sanitizers write what they find
   std::vector<BuiltFile> files;
 
   const BuiltFile* find(const std::string& name) const;
@@ -43,6 +46,7 @@ enum class BuildKind {
 /// Compiles every source on its own, several at a time, and links what compiled. Functions that
 /// do not compile are left out; a file that does not compile or link even so is left out and
 /// takes no other file with it.
+/// The compiler and the linker run in the home's sandbox; nothing of the submission is run.
 /// @throws GraderError if not even the empty submission can be linked
 Build build_submission(const Submission& submission, const Home& home, const Limits& limits,
                        BuildKind kind = BuildKind::kGrading);

@@ -1,6 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
+#include <string>
+
+#include "grader/base/process.h"
+#include "grader/sandbox/sandbox.h"
 
 namespace meshgrade {
 
@@ -14,6 +19,8 @@ struct Home {
   /// comes without it.
   std::filesystem::path reference;
   std::string compiler;  ///< the C++ compiler for submissions
+  Sandbox sandbox;       ///< in which submissions are compiled and run
+  std::shared_ptr<ScratchFolder> copies;  ///< of include and kit, where they must be copied
 };
 
 }  // namespace meshgrade

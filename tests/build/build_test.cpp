@@ -1,11 +1,16 @@
 #include "grader/build/build.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <optional>
 
 #include <filesystem>
 #include <fstream>
 
 #include "grader/cases/mesh_input.h"
+#include "grader/sandbox/lent_user.h"
 #include "tests/support/sample_meshes.h"
 #include "tests/support/submissions.h"
 
@@ -188,6 +193,27 @@ TEST(Build, EndlessIncludeIsStopped) {
       submission_of({{"zero.cpp", "#include \"/dev/zero\"\n"}}), test_home(), limits);
   EXPECT_FALSE(build.files[0].ok);
   EXPECT_FALSE(build.files[0].messages.empty());
+}
+
+/// In a batch, other runs take and give back users between the steps of this one.
+TEST(Build, WorkerRunsAsAnotherUserThanItWasLinkedBy) {
+  const mode_t before = ::umask(077);
+  const Build build = build_sources({kGoodNormal});
+  std::optional<LentUser> taken;
+  if (::geteuid() == 0) taken.emplace();
+  EXPECT_EQ(first_normal(build), (Point3{1, 0, 0}));
+  ::umask(before);
+}
+
+TEST(Build, FunctionsOfTheStudentsOwnReplaceNoneOfTheWorkers) {
+  const Build build = build_sources(
+      {kGoodNormal,
+       {"own.cpp",
+        "extern \"C\" long write(int, const void*, unsigned long) { return -1; }\n"
+        "extern \"C\" long pwrite(int, const void*, unsigned long, long) { return -1; }\n"
+        "extern \"C\" void* malloc(unsigned long) { return nullptr; }\n"}});
+  EXPECT_TRUE(build.find("own.cpp")->ok) << build.find("own.cpp")->messages;
+  EXPECT_EQ(first_normal(build), (Point3{1, 0, 0}));
 }
 
 }  // namespace

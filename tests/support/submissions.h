@@ -9,8 +9,9 @@ namespace meshgrade {
 
 inline Home test_home() {
   const std::filesystem::path source = MESHGRADE_SOURCE_DIR;
-  return {source / "include", MESHGRADE_KIT_DIR,    source / "meshes",
-          source / "docs",    source / "reference", MESHGRADE_COMPILER};
+  static const Sandbox sandbox = find_sandbox(MESHGRADE_KIT_DIR, MESHGRADE_COMPILER);
+  return {source / "include",   MESHGRADE_KIT_DIR,  source / "meshes", source / "docs",
+          source / "reference", MESHGRADE_COMPILER, sandbox,           nullptr};
 }
 
 inline Submission submission_of(std::vector<SourceFile> sources,
