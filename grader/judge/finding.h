@@ -20,6 +20,9 @@ enum class Verdict {
   kOutOfTime,
   kOutOfSteps,
   kOutOfMemory,
+  kTooMuchOutput,
+  kTooManyProcesses,
+  kTooManyFiles,
   kNotJudged,    ///< something that this depends on failed: no statement is made
   kGraderError,  ///< a fault of the grader, never of the student
 };

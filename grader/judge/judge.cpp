@@ -135,8 +135,22 @@ void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
       finding.actual = "the memory limit was reached";
       finding.look_at = "a loop that adds elements without end";
       break;
+    case Ending::kTooManyProcesses:
+      judgement.verdict = Verdict::kTooManyProcesses;
+      finding.rule = "process-limit";
+      finding.actual = "the code started more processes or threads than are allowed";
+      finding.look_at = "calls of fork(), and threads in a loop";
+      break;
+    case Ending::kTooManyFiles:
+      judgement.verdict = Verdict::kTooManyFiles;
+      finding.rule = "file-limit";
+      finding.actual = "the code had as many files open as are allowed";
+      finding.look_at = "files that are opened and never closed";
+      break;
     default:
+      judgement.verdict = Verdict::kTooMuchOutput;
       finding.rule = "output-limit";
+      finding.look_at = "a loop that prints without end";
       finding.actual = "the code printed or left behind more than is allowed";
       break;
   }
@@ -176,6 +190,12 @@ const char* verdict_name(Verdict verdict) {
       return "out of steps";
     case Verdict::kOutOfMemory:
       return "out of memory";
+    case Verdict::kTooMuchOutput:
+      return "too much output";
+    case Verdict::kTooManyProcesses:
+      return "too many processes";
+    case Verdict::kTooManyFiles:
+      return "too many open files";
     case Verdict::kNotJudged:
       return "not judged";
     case Verdict::kGraderError:
@@ -223,7 +243,7 @@ CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
   }
   if (outcome.ending == Ending::kSkipped) {
     judgement.verdict = Verdict::kOutOfTime;
-    judgement.note = "not run: cases before this one ran out of time";
+    judgement.note = "not run: cases before this one reached a limit for all of them together";
     return judgement;
   }
   judge_steps(judge, task, conventions, judgement);

@@ -9,9 +9,12 @@
 #include "grader/base/text.h"
 #include "grader/run/result_reader.h"
 #include "grader/run/symbolizer.h"
+#include "grader/sandbox/confined_run.h"
 
 namespace meshgrade {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMegabyte = 1U << 20U;
 
@@ -47,6 +50,7 @@ TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
   list.alone = company == Company::kAlone;
   list.memory_bytes = limits.memory_mb * kMegabyte;
   list.result_bytes = limits.result_mb * kMegabyte;
+  list.output_bytes = limits.output_mb * kMegabyte;
   for (const Case* c : cases) {
     list.tasks.push_back(
         {c->exercise, c->input, c->step_budget, limits.case_cpu_ms, limits.case_wall_ms});
@@ -76,9 +80,12 @@ Outcome to_outcome(TaskResult task) {
 /// For the first task that the result file says nothing about.
 Outcome unfinished(const ProcessResult& worker) {
   Outcome outcome;
-  outcome.ending = worker.timed_out     ? Ending::kOutOfTime
-                   : worker.signal != 0 ? Ending::kSignal
-                                        : Ending::kExit;
+  outcome.ending = worker.timed_out            ? Ending::kOutOfTime
+                   : worker.out_of_memory      ? Ending::kOutOfMemory
+                   : worker.too_many_processes ? Ending::kTooManyProcesses
+                   : worker.too_much_output    ? Ending::kOutputLimit
+                   : worker.signal != 0        ? Ending::kSignal
+                                               : Ending::kExit;
   outcome.code = worker.signal != 0 ? worker.signal : worker.status;
   outcome.subject = worker.timed_out ? "the time for all cases together was used up"
                                      : "the program ended before this case";
@@ -116,7 +123,7 @@ void add_stacks(const Build& build, const std::vector<TaskResult>& tasks,
     for (std::uint64_t address : task.end.stack)
       addresses.insert(address - 1);
   }
-  const auto frames = symbolize(build.worker, addresses);
+  const auto frames = symbolize(build, addresses);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     for (std::uint64_t address : tasks[i].end.stack) {
       const auto found = frames.find(address - 1);
@@ -141,18 +148,56 @@ FileDescriptor make_task_file(const std::vector<const Case*>& cases, const Limit
   return file;
 }
 
+namespace {
+
+constexpr std::uint64_t kSanitizedMemory = std::uint64_t{4} << 30U;
+
+/// The most of one process, in bytes; 0 for no limit.
+std::uint64_t address_space(const Limits& limits) {
+  return limits.memory_mb == 0 ? 0 : limits.memory_mb * kMegabyte + kMemoryToReport;
+}
+
+/// What the worker may do. The sanitizers reserve terabytes and write where it lies.
+Bounds worker_bounds(const Build& build, const Limits& limits) {
+  Bounds bounds;
+  bounds.writes_folder = build.logs.has_value();
+  bounds.reads_processes = build.logs.has_value();
+  bounds.cpu_seconds = limits.run_seconds;
+  bounds.memory_bytes = address_space(limits);
+  bounds.file_bytes = limits.result_mb * kMegabyte + kRoomForEnds;
+  bounds.processes = limits.processes;
+  bounds.open_files = limits.open_files;
+  return bounds;
+}
+
+/// The worker in a folder that is its own.
+ProcessResult run_worker(const Build& build, const fs::path& folder, const Limits& limits,
+                         std::vector<int> files) {
+  fs::remove(folder / "worker");
+  fs::create_hard_link(build.worker, folder / "worker");
+  Command command;
+  command.arguments = {folder / "worker"};
+  command.folder = folder;
+  command.shared_files = std::move(files);
+  command.time_limit = std::chrono::seconds(limits.run_seconds);
+  command.kept_output = kKeptOutputBytes;
+  command.most_output = limits.output_mb * kMegabyte;
+  // All processes together; one alone is told earlier, by its address space.
+  command.most_memory = build.logs ? kSanitizedMemory : address_space(limits);
+  return run_confined(build.sandbox, std::move(command), worker_bounds(build, limits));
+}
+
+}  // namespace
+
 std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
                                const Limits& limits, Company company) {
   const FileDescriptor tasks = make_task_file(cases, limits, company);
   const FileDescriptor results = make_scratch_file();
   const FileDescriptor output = make_scratch_file();
-  Command command;
-  command.arguments = {build.worker.string()};
-  command.folder = build.folder.path();
-  command.shared_files = {tasks.get(), results.get(), output.get()};
-  command.time_limit = std::chrono::seconds(limits.run_seconds);
-  command.kept_output = kKeptOutputBytes;
-  const ProcessResult worker = run_process(command);
+  const ScratchFolder scratch;
+  const fs::path folder = build.logs ? build.logs->path() : scratch.path();
+  const ProcessResult worker =
+      run_worker(build, folder, limits, {tasks.get(), results.get(), output.get()});
   std::vector<TaskResult> read;
   try {
     read =
@@ -164,7 +209,7 @@ std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*
   Outcome for_missing = unfinished(worker);
   for (TaskResult& task : read) {
     outcomes.push_back(task.ended ? to_outcome(task) : for_missing);
-    if (!task.ended && worker.timed_out) for_missing.ending = Ending::kSkipped;
+    if (!task.ended && worker.stopped()) for_missing.ending = Ending::kSkipped;
   }
   add_stacks(build, read, outcomes);
   return outcomes;

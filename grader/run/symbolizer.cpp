@@ -6,9 +6,14 @@
 #include "grader/base/errors.h"
 #include "grader/base/process.h"
 #include "grader/base/text.h"
+#include "grader/sandbox/confined_run.h"
 
 namespace meshgrade {
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMostMemory = std::uint64_t{1} << 31U;
 
 /// "./edge_flip.cpp:12 (discriminator 3)"
 void read_place(const std::string& text, StackFrame& frame) {
@@ -22,19 +27,26 @@ void read_place(const std::string& text, StackFrame& frame) {
 }  // namespace
 
 std::map<std::uint64_t, std::vector<StackFrame>> symbolize(
-    const std::filesystem::path& program, const std::set<std::uint64_t>& addresses) {
+    const Build& build, const std::set<std::uint64_t>& addresses) {
   std::map<std::uint64_t, std::vector<StackFrame>> frames;
   if (addresses.empty()) return frames;
+  const ScratchFolder folder;
+  fs::create_hard_link(build.worker, folder.path() / "worker");
   Command command;
-  command.arguments = {"addr2line", "-a", "-f", "-i", "-C", "-e", program.string()};
+  command.arguments = {"addr2line", "-a", "-f", "-i", "-C", "-e", "worker"};
+  command.folder = folder.path();
   std::ostringstream input;
   for (std::uint64_t address : addresses)
     input << std::hex << address << "\n";
   command.input = input.str();
   command.kept_output = 16U << 20U;
+  // The student's code has a say in what is read here.
+  Bounds bounds;
+  bounds.compiles = true;
+  bounds.memory_bytes = kMostMemory;
   ProcessResult result;
   try {
-    result = run_process(command);
+    result = run_confined(build.sandbox, std::move(command), bounds);
   } catch (const GraderError&) {
     return frames;  // not installed
   }

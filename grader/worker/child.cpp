@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -21,7 +22,6 @@ namespace meshgrade {
 namespace {
 
 constexpr int kDepth = 64;
-constexpr rlim_t kMemoryToReport = rlim_t{256} << 20U;
 
 /// What the handlers of faults and signals need to know: they have no other way to learn it.
 struct Running {
@@ -93,6 +93,39 @@ void limit_memory(std::uint64_t bytes) {
   ::setrlimit(RLIMIT_AS, &limit);
 }
 
+/// What is printed goes to a file. The soft limit is what one task may print; results may be
+/// larger.
+void limit_files(std::uint64_t bytes) {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_FSIZE, &limit) != 0) return;
+  limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+/// No limit for files but the hard one while this lives.
+class LargeFiles {
+ public:
+  LargeFiles() {
+    rlimit limit{};
+    ::getrlimit(RLIMIT_FSIZE, &limit);
+    limit_after_ = limit.rlim_cur;
+    limit_files(RLIM_INFINITY);
+  }
+  LargeFiles(const LargeFiles&) = delete;
+  LargeFiles& operator=(const LargeFiles&) = delete;
+  ~LargeFiles() { limit_files(limit_after_); }
+
+ private:
+  rlim_t limit_after_ = RLIM_INFINITY;
+};
+
+/// Handles of files that are opened and never closed.
+bool has_no_file_left() {
+  const int file = ::dup(kOutputFile);
+  if (file >= 0) ::close(file);
+  return file < 0 && errno == EMFILE;
+}
+
 [[noreturn]] void on_out_of_memory() {
   rlimit limit{};
   ::getrlimit(RLIMIT_AS, &limit);
@@ -158,6 +191,7 @@ void run_task(const Task& task) {
   }
   set_timer(0);
   meshedit::detail::steps_left = INT64_MAX;
+  if (has_no_file_left()) frame.ending = Ending::kTooManyFiles;
   frame.task = running.shared->tasks_done;
   write_end(std::move(frame), *running.shared, running.list->result_bytes);
 }
@@ -172,6 +206,7 @@ std::string frame_bytes(FrameKind kind, const std::string& payload) {
 
 void Recorder::write_step(const std::string& bytes) {
   const StepFrame frame{running.shared->tasks_done, bytes};
+  const LargeFiles large;
   if (append_frame(kResultFile, *running.shared, frame_bytes(FrameKind::kStep, to_wire(frame)),
                    running.list->result_bytes)) {
     return;
@@ -191,7 +226,8 @@ void write_end(EndFrame frame, SharedState& shared, std::uint64_t limit) {
   const ssize_t kept = ::pread(kOutputFile, frame.output.data(), frame.output.size(), 0);
   frame.output.resize(kept > 0 ? static_cast<std::size_t>(kept) : 0);
   if (::ftruncate(kOutputFile, 0) != 0) frame.output.clear();
-  const std::uint64_t room = limit + (1U << 20U);  // so that the end itself can always be told
+  const LargeFiles large;
+  const std::uint64_t room = limit + kRoomForEnds;
   if (!append_frame(kResultFile, shared, frame_bytes(FrameKind::kEnd, to_wire(frame)), room)) {
     frame.interrupted.clear();
     append_frame(kResultFile, shared, frame_bytes(FrameKind::kEnd, to_wire(frame)), room);
@@ -211,6 +247,7 @@ void run_tasks(const TaskList& list, SharedState& shared) {
   std::set_new_handler(on_out_of_memory);
   meshedit::detail::fault_handler = on_fault;
   limit_memory(list.memory_bytes);
+  limit_files(list.output_bytes);
   do {
     run_task(list.tasks[shared.tasks_done]);
   } while (!list.alone && shared.tasks_done < list.tasks.size());

@@ -60,7 +60,11 @@ TEST(JudgeCase, EveryEndingHasItsVerdictAndRule) {
   expect(judge(id, ended(Ending::kOutOfTime)), Verdict::kOutOfTime, "out-of-time", "time");
   expect(judge(id, ended(Ending::kOutOfMemory)), Verdict::kOutOfMemory, "out-of-memory",
          "memory");
-  expect(judge(id, ended(Ending::kOutputLimit)), Verdict::kCrashed, "output-limit", "more");
+  expect(judge(id, ended(Ending::kOutputLimit)), Verdict::kTooMuchOutput, "output-limit",
+         "more");
+  expect(judge(id, ended(Ending::kTooManyProcesses)), Verdict::kTooManyProcesses,
+         "process-limit", "processes");
+  expect(judge(id, ended(Ending::kTooManyFiles)), Verdict::kTooManyFiles, "file-limit", "open");
 }
 
 TEST(JudgeCase, FailureOfTheWorkerIsNeverTheStudents) {

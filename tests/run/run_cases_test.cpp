@@ -161,7 +161,7 @@ TEST(RunCases, OutputFloodEndsTheCase) {
                         "#include <iostream>"),
                 limits);
   ASSERT_EQ(outcomes.size(), 3U);
-  EXPECT_NE(outcomes[0].ending, Ending::kDone);
+  EXPECT_EQ(outcomes[0].ending, Ending::kOutputLimit);
   EXPECT_EQ(outcomes[1].ending, Ending::kDone);
 }
 
