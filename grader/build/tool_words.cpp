@@ -33,7 +33,7 @@ bool tells_of_its_end(const std::string& line) {
 }  // namespace
 
 bool is_dead_compiler(const ProcessResult& result) {
-  if (result.ok() || result.timed_out) return false;
+  if (result.ok() || result.stopped()) return false;
   if (result.signal != 0) return true;
   for (const std::string& line : split_lines(result.output)) {
     if (tells_of_its_end(line)) return true;

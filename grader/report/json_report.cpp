@@ -111,6 +111,13 @@ Json to_value(const ExerciseReport& report) {
   return value;
 }
 
+Json to_value(const Sandbox& sandbox) {
+  return {{"layer", static_cast<int>(sandbox.layer)},
+          {"name", layer_name(sandbox.layer)},
+          {"bounds_files", sandbox.bounds_files},
+          {"filters_calls", sandbox.filters_calls}};
+}
+
 }  // namespace
 
 std::string to_json(const Report& report) {
@@ -122,7 +129,8 @@ std::string to_json(const Report& report) {
              {"max_points", report.max_points},
              {"extra_points", report.extra_points},
              {"max_extra_points", report.max_extra_points},
-             {"notes", report.notes}};
+             {"notes", report.notes},
+             {"sandbox", to_value(report.sandbox)}};
   if (report.hidden_show != HiddenShow::kAll) {
     value["hidden_show"] = report.hidden_show == HiddenShow::kRule ? "rule" : "name";
   }

@@ -162,8 +162,7 @@ Report student_view(Report report) {
 }
 
 Report make_report(const Assignment& assignment, const Submission& submission,
-                   const std::vector<BuiltFile>& files,
-                   const std::vector<JudgedExercise>& exercises) {
+                   const Build& build, const std::vector<JudgedExercise>& exercises) {
   Report report;
   report.assignment = assignment.title;
   report.submission = printable(submission.name);
@@ -175,7 +174,8 @@ Report make_report(const Assignment& assignment, const Submission& submission,
       report.notes.emplace_back("hidden cases are not part of this: their seed is not here");
     }
   }
-  for (const BuiltFile& file : files) {
+  report.sandbox = build.sandbox;
+  for (const BuiltFile& file : build.files) {
     const bool whole = file.ok && file.left_out.empty();
     report.files.push_back({file.name, whole, file.messages, file.linked});
     report.notes.insert(report.notes.end(), file.notes.begin(), file.notes.end());

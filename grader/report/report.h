@@ -8,6 +8,7 @@
 #include "grader/build/build.h"
 #include "grader/cases/case.h"
 #include "grader/judge/judge.h"
+#include "grader/sandbox/sandbox.h"
 #include "grader/submission/submission.h"
 
 namespace meshgrade {
@@ -85,6 +86,7 @@ struct Report {
   std::vector<std::string> notes;
   std::vector<FileReport> files;
   std::vector<ExerciseReport> exercises;
+  Sandbox sandbox;  ///< in which the submission was compiled and run
   double points = 0.0;
   double max_points = 0.0;
   double extra_points = 0.0;
@@ -113,7 +115,7 @@ struct JudgedExercise {
 
 /// Adds up the points and collects what there is to say.
 Report make_report(const Assignment& assignment, const Submission& submission,
-                   const std::vector<BuiltFile>& files,
+                   const Build& build,
                    const std::vector<JudgedExercise>& exercises);
 
 }  // namespace meshgrade

@@ -135,6 +135,17 @@ void read(const Json& value, FileReport& file) {
   file = {value.at("name"), value.at("compiled"), value.at("messages")};
 }
 
+/// Only what a report says of it.
+void read(const Json& value, Sandbox& sandbox) {
+  const int layer = value.at("layer");
+  if (layer < static_cast<int>(Layer::kNamespaces) || layer > static_cast<int>(Layer::kNone)) {
+    throw UserError("the report names a sandbox that does not exist");
+  }
+  sandbox.layer = Layer{layer};
+  sandbox.bounds_files = value.at("bounds_files");
+  sandbox.filters_calls = value.at("filters_calls");
+}
+
 void read(const Json& value, Report& report) {
   const std::string schema = value.at("schema");
   if (schema != kReportSchema) throw UserError("the report is of another form: " + schema);
@@ -146,6 +157,7 @@ void read(const Json& value, Report& report) {
                        : show == "rule" ? HiddenShow::kRule
                                         : HiddenShow::kName;
   read_points(value, report);
+  read(value.at("sandbox"), report.sandbox);
   report.notes = read_list<std::string>(value, "notes");
   report.files = read_list<FileReport>(value, "files");
   report.exercises = read_list<ExerciseReport>(value, "exercises");

@@ -35,6 +35,10 @@ class TerminalReport {
     out_ = paint("1", report_.assignment) + "\nsubmission: " + report_.submission + "\n";
     for (const std::string& note : report_.notes)
       out_ += "note: " + note + "\n";
+    if (style_.verbose) {
+      out_ += "sandbox: " + layer_name(report_.sandbox.layer) + "; " +
+              layer_promise(report_.sandbox.layer) + "\n";
+    }
     out_ += "\n";
     add_table();
     for (const FileReport& file : report_.files)
