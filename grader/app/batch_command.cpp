@@ -17,6 +17,7 @@
 #include "grader/app/figure_files.h"
 #include "grader/app/grader_identity.h"
 #include "grader/app/grading.h"
+#include "grader/app/require_sandbox.h"
 #include "grader/base/digest.h"
 #include "grader/base/errors.h"
 #include "grader/base/safe_file.h"
@@ -51,6 +52,7 @@ struct BatchCommandOptions {
   unsigned jobs = 0;
   bool force = false;
   bool list = false;
+  bool require_sandbox = false;
 };
 
 void list_roster(const Roster& roster) {
@@ -214,7 +216,9 @@ bool run_divided(const ClusterBatch& cluster) {
 
 int run(const BatchCommandOptions& options, const Assignment& assignment, const Roster& roster,
         const BatchFolder& folder) {
-  const Grading grading = grading_of(assignment, options, find_home());
+  const Home home = find_home();
+  if (options.require_sandbox) require_sandbox(home.sandbox);
+  const Grading grading = grading_of(assignment, options, home);
   BatchOptions how;
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   how.jobs = options.jobs != 0 ? options.jobs : options.cluster.slurm ? 1 : cores;
@@ -277,6 +281,7 @@ void add_options(CLI::App& command, BatchCommandOptions& options) {
   command.add_option("--only-file", options.only_file,
                      "The same from a file with one name a line");
   command.add_flag("--force", options.force, "Grade again what has not changed");
+  command.add_flag("--require-sandbox", options.require_sandbox, kRequireSandboxHelp);
   command.add_option("-j,--jobs", options.jobs,
                      "How many at a time; all cores if not given, on a cluster one a task");
   command.add_flag("--slurm", options.cluster.slurm,
@@ -300,7 +305,7 @@ void add_batch_command(CLI::App& app, int& exit_code) {
   command->footer(
       "Examples:\n"
       "  meshgrade batch submissions --list\n"
-      "  meshgrade batch submissions -o results\n"
+      "  meshgrade batch submissions -o results --require-sandbox\n"
       "  meshgrade batch submissions -o results --only alice --force\n"
       "  meshgrade batch submissions -o results --slurm --sbatch=--partition=long\n"
       "  meshgrade batch submissions -o results --jobs-file jobs.txt && parallel < jobs.txt\n"

@@ -11,6 +11,7 @@
 #include "grader/app/grading_options.h"
 #include "grader/app/progress_store.h"
 #include "grader/app/replay_command.h"
+#include "grader/app/require_sandbox.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
 #include "grader/report/json_report.h"
@@ -23,6 +24,7 @@ struct CheckOptions : GradingOptions {
   std::string json;
   std::string figures;
   bool verbose = false;
+  bool require_sandbox = false;
 };
 
 int exit_status(const Report& report) {
@@ -38,9 +40,11 @@ std::string figures_text(std::size_t pictures, const std::string& folder) {
 int check(const CheckOptions& options) {
   const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
   const Submission submission = find_submission(options.submission, assignment.submission);
+  const Home home = find_home();
+  if (options.require_sandbox) require_sandbox(home.sandbox);
   const Progress progress = terminal_progress();
   if (!options.figures.empty()) make_figure_folder(options.figures);
-  Report report = grade(assignment, submission, find_home(), options.exercises, progress);
+  Report report = grade(assignment, submission, home, options.exercises, progress);
   progress("");
   remember_or_warn(options.submission, report);
   const std::size_t pictures =
@@ -69,6 +73,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
   command->add_option("--figures", options->figures,
                       "Draw what is wrong: SVG pictures in this folder, one for each case");
   command->add_flag("-v,--verbose", options->verbose, "Show every case and every finding");
+  command->add_flag("--require-sandbox", options->require_sandbox, kRequireSandboxHelp);
   command->footer(
       "Examples:\n"
       "  meshgrade check student_skeleton\n"

@@ -1,6 +1,9 @@
 #include "grader/app/context.h"
 
+#include <unistd.h>
+
 #include "grader/base/errors.h"
+#include "grader/sandbox/system_paths.h"
 
 namespace meshgrade {
 
@@ -8,16 +11,54 @@ std::filesystem::path source_folder() {
   return MESHGRADE_SOURCE_DIR;
 }
 
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A copy that all can read, with the times of the files: the compiler compares those of
+/// precompiled headers.
+void copy_folder(const fs::path& from, const fs::path& to) {
+  fs::copy(from, to, fs::copy_options::recursive);
+  fs::permissions(to, fs::perms(0755));
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(from)) {
+    const fs::path copy = to / entry.path().lexically_relative(from);
+    const bool runs = (entry.status().permissions() & fs::perms::owner_exec) != fs::perms::none;
+    fs::permissions(copy, runs ? fs::perms(0755) : fs::perms(0644));
+    if (entry.is_regular_file()) fs::last_write_time(copy, entry.last_write_time());
+  }
+}
+
+/// Root's own folders are closed to the users that submissions run as: what those need is then
+/// copied to where they can read it.
+void open_to_submissions(Home& home) {
+  if (::geteuid() != 0 || (is_open_to_others(home.kit / "flags.txt") &&
+                           is_open_to_others(home.include / "meshedit" / "meshedit.h"))) {
+    return;
+  }
+  home.copies = std::make_shared<ScratchFolder>();
+  fs::permissions(home.copies->path(), fs::perms(0755));
+  for (fs::path* folder : {&home.kit, &home.include}) {
+    const fs::path copy = home.copies->path() / folder->filename();
+    copy_folder(*folder, copy);
+    *folder = copy;
+  }
+}
+
+}  // namespace
+
 Home find_home() {
-  const std::filesystem::path source = source_folder();
+  const fs::path source = source_folder();
+  Home home;
+  home.include = source / "include";
+  home.kit = MESHGRADE_KIT_DIR;
+  home.meshes = source / "meshes";
+  home.docs = source / "docs";
   std::error_code ignored;
-  const std::filesystem::path reference = source / "reference";
-  return {source / "include",
-          MESHGRADE_KIT_DIR,
-          source / "meshes",
-          source / "docs",
-          std::filesystem::is_directory(reference, ignored) ? reference : "",
-          MESHGRADE_COMPILER};
+  if (fs::is_directory(source / "reference", ignored)) home.reference = source / "reference";
+  home.compiler = MESHGRADE_COMPILER;
+  open_to_submissions(home);
+  home.sandbox = find_sandbox(home.kit, home.compiler);
+  return home;
 }
 
 std::filesystem::path standard_assignment() {

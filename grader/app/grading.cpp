@@ -87,13 +87,13 @@ Report grade(const Assignment& assignment, const Submission& submission, const H
   std::vector<JudgedExercise> judged;
   for (ExerciseRun& run : runs)
     judged.push_back(std::move(run.judged));
-  return make_report(assignment, submission, build.files, judged);
+  return make_report(assignment, submission, build, judged);
 }
 
 Report grade_case(const Assignment& assignment, const Submission& submission, const Home& home,
                   const Build& build, const Case& asked) {
   const ExerciseRun run = run_case(assignment, home, {submission, build}, asked);
-  return make_report(assignment, submission, build.files, {run.judged});
+  return make_report(assignment, submission, build, {run.judged});
 }
 
 Report grade_case_fully(const Assignment& assignment, const Submission& submission,
@@ -101,7 +101,7 @@ Report grade_case_fully(const Assignment& assignment, const Submission& submissi
   const Candidate candidate{submission, build};
   ExerciseRun run = run_case(assignment, home, candidate, asked);
   run_again(assignment, home, candidate, {}, run);
-  return make_report(assignment, submission, build.files, {run.judged});
+  return make_report(assignment, submission, build, {run.judged});
 }
 
 Case shown_case(const Assignment& assignment, const Submission& submission, const Home& home,

@@ -8,6 +8,7 @@
 #include "grader/app/check_command.h"
 #include "grader/app/dev_check_command.h"
 #include "grader/app/diff_command.h"
+#include "grader/app/doctor_command.h"
 #include "grader/app/export_command.h"
 #include "grader/app/handout_command.h"
 #include "grader/app/hint_command.h"
@@ -44,6 +45,7 @@ int run(int argc, char** argv) {
   meshgrade::add_autograde_command(app, exit_code);
   meshgrade::add_bundle_command(app, exit_code);
   meshgrade::add_handout_command(app, exit_code);
+  meshgrade::add_doctor_command(app, exit_code);
   meshgrade::add_dev_check_command(app, exit_code);
   app.footer(
       "`meshgrade COMMAND --help` explains a command, with examples.\n"

@@ -55,7 +55,7 @@ std::string clean_sanitizer_log(const std::string& log) {
 }
 
 void set_up_sanitizers(const Build& build) {
-  const std::string log = "log_path=" + (build.folder.path() / kLogName).string();
+  const std::string log = "log_path=" + (build.logs.value().path() / kLogName).string();
   // "2": the worker's own handlers of signals do not get in the way.
   ::setenv("ASAN_OPTIONS",
            (log + ":detect_leaks=0:handle_segv=2:handle_sigbus=2:handle_sigfpe=2:"
@@ -67,8 +67,11 @@ void set_up_sanitizers(const Build& build) {
 
 std::string read_sanitizer_log(const Build& build) {
   std::string log;
-  for (const fs::directory_entry& entry : fs::directory_iterator(build.folder.path())) {
-    if (entry.path().stem() != kLogName) continue;
+  for (const fs::directory_entry& entry : fs::directory_iterator(build.logs.value().path())) {
+    // The code could have put a link there.
+    if (entry.path().stem() != kLogName || !entry.is_regular_file() || entry.is_symlink()) {
+      continue;
+    }
     std::ostringstream text;
     text << std::ifstream(entry.path()).rdbuf();
     log += text.str();

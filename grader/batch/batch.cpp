@@ -16,6 +16,7 @@
 #include "grader/base/process.h"
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
+#include "grader/sandbox/system_paths.h"
 
 namespace meshgrade {
 namespace {
@@ -227,7 +228,11 @@ BatchFolder::BatchFolder(const fs::path& folder)
   const char* before = std::getenv("TMPDIR");
   if (before != nullptr) temporary_before_ = before;
   clear();
-  ::setenv("TMPDIR", fs::absolute(make_folder(folder_ / kTemporary)).c_str(), 1);
+  const fs::path temporary = make_folder(folder_ / kTemporary);
+  fs::permissions(temporary, fs::perms(0711));
+  // Started by root, submissions run as other users, who could not come to where they run.
+  if (::geteuid() == 0 && !is_open_to_others(temporary)) return;
+  ::setenv("TMPDIR", fs::absolute(temporary).c_str(), 1);
 }
 
 BatchFolder::~BatchFolder() {

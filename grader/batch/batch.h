@@ -49,7 +49,8 @@ std::vector<std::size_t> choose_hand_ins(const Roster& roster,
 
 /// The folder for all that a batch writes. As long as this value lives, no other batch writes
 /// to it, and everything temporary goes to a place within it, so that what a killed batch
-/// leaves behind is known to the next one, which clears it away.
+/// leaves behind is known to the next one, which clears it away. (Not so if root grades into a
+/// folder that is closed to others: then it goes where temporary files are anyway.)
 class BatchFolder {
  public:
   /// @throws UserError if it cannot be made, or another batch has it
