@@ -1,0 +1,4 @@
+// Lets the assembler read a file of the instructor.
+#include "attack.h"
+
+void attack() {}

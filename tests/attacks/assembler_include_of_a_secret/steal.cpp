@@ -1,0 +1,2 @@
+#include "paths.h"
+asm(".include \"" SECRET_FILE "\"");

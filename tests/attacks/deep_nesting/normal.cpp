@@ -1,0 +1,4 @@
+// Nests brackets until the compiler overflows its stack.
+#include "attack.h"
+
+void attack() {}

@@ -1,0 +1,4 @@
+// Makes the compiler say commands for terminals.
+#include "attack.h"
+
+void attack() {}

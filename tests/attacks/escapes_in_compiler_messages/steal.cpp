@@ -1,0 +1,2 @@
+#error [2J]0;title ‮ evil <script>
+int ‮ = 1;

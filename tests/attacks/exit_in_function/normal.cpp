@@ -1,0 +1,7 @@
+// Ends in the first call, with success.
+#define WRONG_ANSWER
+#include "attack.h"
+
+void attack() {
+  std::_Exit(0);
+}

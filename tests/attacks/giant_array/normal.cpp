@@ -1,0 +1,4 @@
+// Makes an object file of gigabytes.
+#include "attack.h"
+
+void attack() {}

@@ -1,0 +1,4 @@
+// Asks whether a file of the instructor is there.
+#include "attack.h"
+
+void attack() {}

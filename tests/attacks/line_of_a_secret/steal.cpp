@@ -1,0 +1,3 @@
+#include "paths.h"
+#line 1 SECRET_FILE
+int broken = ;

@@ -1,0 +1,4 @@
+// Expands a macro to billions of tokens.
+#include "attack.h"
+
+void attack() {}

@@ -1,0 +1,4 @@
+// Makes the compiler fill its memory.
+#include "attack.h"
+
+void attack() {}

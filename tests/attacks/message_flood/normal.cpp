@@ -1,0 +1,4 @@
+// Makes the compiler complain without end.
+#include "attack.h"
+
+void attack() {}

@@ -1,0 +1,4 @@
+// Asks the compiler to load code.
+#include "attack.h"
+
+void attack() {}

@@ -1,0 +1,4 @@
+// Includes itself without end.
+#include "attack.h"
+
+void attack() {}

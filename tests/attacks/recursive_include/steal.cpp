@@ -1,0 +1,3 @@
+#include "steal.cpp"
+#include "paths.h"
+#include "steal.cpp"

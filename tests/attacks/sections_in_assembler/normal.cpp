@@ -1,0 +1,4 @@
+// Changes how the program is linked and loaded, in assembler.
+#include "attack.h"
+
+void attack() {}

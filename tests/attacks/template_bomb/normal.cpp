@@ -1,0 +1,4 @@
+// Instantiates templates without end.
+#include "attack.h"
+
+void attack() {}
