@@ -188,6 +188,7 @@ std::vector<std::string> task_command(const BatchCommandOptions& options) {
   add("--layout", options.roster.layout);
   add("--part", options.roster.assignment);
   add("--jobs", std::to_string(std::max(1U, options.jobs)));
+  if (options.require_sandbox) words.emplace_back("--require-sandbox");
   return words;
 }
 
