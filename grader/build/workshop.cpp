@@ -54,7 +54,8 @@ ProcessResult Workshop::run(std::vector<std::string> arguments, const std::strin
   bounds.compiles = true;
   bounds.writes_folder = true;
   bounds.readable = {home_->kit, home_->include};
-  bounds.cpu_seconds = limits_->compile_seconds;
+  // More than the time on the clock, which tells by itself that it was used up.
+  bounds.cpu_seconds = limits_->compile_seconds + 5;
   bounds.memory_bytes = limits_->compile_memory_mb * kMegabyte;
   bounds.file_bytes = limits_->object_mb * kMegabyte;
   bounds.open_files = kOpenFiles;

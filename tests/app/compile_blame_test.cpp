@@ -31,6 +31,7 @@ TEST(CompileBlame, CompilerThatBreaksIsAnErrorOfTheGrader) {
                         << "exec " << home.compiler << " \"$@\"\n";
   std::filesystem::permissions(script, std::filesystem::perms::owner_all);
   home.compiler = script.string();
+  home.sandbox = Sandbox();  // in which this compiler could not be found
   Submission submission;
   submission.sources = {kNormal};
   const Report report = grade_normal(submission, home);

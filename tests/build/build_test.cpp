@@ -94,6 +94,7 @@ Home home_with_breaking_compiler(const ScratchFolder& folder, int times) {
                         << "exec " << home.compiler << " \"$@\"\n";
   std::filesystem::permissions(script, std::filesystem::perms::owner_all);
   home.compiler = script.string();
+  home.sandbox = Sandbox();  // in which this compiler could not be found
   return home;
 }
 
