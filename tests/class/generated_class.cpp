@@ -129,7 +129,7 @@ std::vector<GeneratedStudent> generate_class(const fs::path& folder, std::size_t
   const std::vector<KindOfWork> kinds = all_kinds();
   std::vector<GeneratedStudent> students;
   for (std::size_t i = 0; i < count; ++i) {
-    const KindOfWork& kind = kinds[i % kinds.size()];
+    const KindOfWork& kind = kinds[i * 7 % kinds.size()];
     const std::string digits = std::to_string(1000 + i).substr(1);
     const fs::path own = folder / ("student" + digits);
     fs::create_directories(own);
