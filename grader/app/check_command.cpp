@@ -14,6 +14,7 @@
 #include "grader/app/require_sandbox.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
+#include "grader/report/html_report.h"
 #include "grader/report/json_report.h"
 #include "grader/report/terminal_report.h"
 
@@ -23,6 +24,7 @@ namespace {
 struct CheckOptions : GradingOptions {
   std::string json;
   std::string figures;
+  std::string html;
   bool verbose = false;
   bool require_sandbox = false;
 };
@@ -60,6 +62,10 @@ int check(const CheckOptions& options) {
   if (!options.figures.empty()) std::cout << figures_text(pictures, options.figures);
   std::cout << std::flush;
   if (!options.json.empty()) write_file_safely(options.json, to_json(report));
+  if (!options.html.empty()) {
+    write_file_safely(options.html, to_html(report, viewer_page()));
+    std::cout << "The report as a page: " << options.html << '\n';
+  }
   return exit_status(report);
 }
 
@@ -72,6 +78,8 @@ void add_check_command(CLI::App& app, int& exit_code) {
   command->add_option("--json", options->json, "Write the report to this file as JSON");
   command->add_option("--figures", options->figures,
                       "Draw what is wrong: SVG pictures in this folder, one for each case");
+  command->add_option("--html", options->html,
+                      "Write the report to this file as a page for the browser");
   command->add_flag("-v,--verbose", options->verbose, "Show every case and every finding");
   command->add_flag("--require-sandbox", options->require_sandbox, kRequireSandboxHelp);
   command->footer(
@@ -80,6 +88,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "  meshgrade check my_homework edge_flip edge_split\n"
       "  meshgrade check my_homework --json report.json\n"
       "  meshgrade check my_homework edge_split --figures pictures\n"
+      "  meshgrade check my_homework --html report.html\n"
       "Exit code: 0 all required points, 1 points lost, 2 bad usage or unreadable input,\n"
       "3 an error of the grader.");
   command->callback([options, &exit_code] { exit_code = check(*options); });

@@ -61,6 +61,14 @@ Home find_home() {
   return home;
 }
 
+std::string viewer_page() {
+  const std::filesystem::path file = source_folder() / "viewer" / "dist" / "viewer.html";
+  std::ifstream stream(file, std::ios::binary);
+  std::string page{std::istreambuf_iterator<char>(stream), {}};
+  if (page.empty()) throw GraderError(file.string() + ": the viewer's page cannot be read");
+  return page;
+}
+
 std::filesystem::path standard_assignment() {
   return source_folder() / "grader" / "assignment.toml";
 }

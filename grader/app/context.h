@@ -14,6 +14,10 @@ Home find_home();
 /// The folder that this program was built from.
 std::filesystem::path source_folder();
 
+/// The page of the viewer, without data.
+/// @throws GraderError if it cannot be read
+std::string viewer_page();
+
 /// The assignment that is taken when none is named.
 std::filesystem::path standard_assignment();
 

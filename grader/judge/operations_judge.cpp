@@ -267,6 +267,7 @@ class StepJudge {
   /// Puts what is wrong pointer by pointer in front of the rules that are broken by it.
   void explain(const MeshDump& expected, Ref split_vertex) {
     if (!task_.explain) return;
+    keep_scene(expected);
     PointerDiff diff = diff_pointers(before_, after_, expected, edge_, split_vertex);
     const bool counts_differ = diff.missing + diff.surplus > 0;
     if (counts_differ && judgement_.findings[0].rule != "counts") {
@@ -290,6 +291,13 @@ class StepJudge {
     if (!task_.explain || judgement_.findings.empty()) return;
     judgement_.findings[0].pointers.figure =
         diff_pointers(before_, after_, expected, edge_, split_vertex).figure;
+  }
+
+  /// For a viewer.
+  void keep_scene(const MeshDump& expected) {
+    if (expected.halfedges.size() > kMostSceneHalfedges) return;
+    const std::string verb = operation_.kind == OperationKind::kFlip ? "flip " : "split ";
+    judgement_.scene = {verb + edge_text(), edge_, before_, after_, expected};
   }
 
   /// All mesh rules; `doubled` allows what a flip onto an edge that exists cannot avoid.
@@ -428,6 +436,7 @@ class StepJudge {
            "the check for a boundary at the start of flipEdge: either of the two half-edges "
            "may be the one outside");
     if (task_.explain) {
+      keep_scene(before_);
       judgement_.findings[0].pointers =
           diff_pointers(before_, after_, before_, edge_, kUnsetRef);
     }

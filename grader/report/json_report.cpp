@@ -1,6 +1,6 @@
 #include "grader/report/json_report.h"
 
-#include <nlohmann/json.hpp>
+#include "grader/report/report_value.h"
 
 namespace meshgrade {
 namespace {
@@ -120,7 +120,7 @@ Json to_value(const Sandbox& sandbox) {
 
 }  // namespace
 
-std::string to_json(const Report& report) {
+nlohmann::ordered_json to_json_value(const Report& report) {
   Json value{{"schema", kReportSchema},
              {"assignment", report.assignment},
              {"seed", report.seed},
@@ -143,7 +143,11 @@ std::string to_json(const Report& report) {
   for (const ExerciseReport& exercise : report.exercises) {
     value["exercises"].push_back(to_value(exercise));
   }
-  return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return value;
+}
+
+std::string to_json(const Report& report) {
+  return to_json_value(report).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace meshgrade

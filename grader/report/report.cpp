@@ -60,6 +60,7 @@ CaseReport to_case_report(const JudgedCase& judged, const SourceLines& sources) 
   report.note = judged.judgement.note;
   report.excused = judged.judgement.excused;
   report.hidden = judged.asked.hidden;
+  report.scene = judged.judgement.scene;
   report.output = judged.output;
   report.output_bytes = judged.output_bytes;
   for (const Finding& finding : judged.judgement.findings) {

@@ -39,6 +39,7 @@ struct CaseReport {
   std::string output;    ///< what the code printed in this case, cut off
   std::uint64_t output_bytes = 0;
   std::string figure;  ///< the name of the file with its picture; empty if none was written
+  MeshScene scene;  ///< the step that went wrong, for the viewer; mostly empty
 };
 
 struct GroupReport {

@@ -153,6 +153,7 @@ class LevelsJudge {
       level.surface = to_surface(level.by_variant.begin()->second);
       if (!keeps_rules(mesh) || !has_counts(level, old_to_mine, mesh) ||
           !has_surface(level, old_to_mine, mesh) || !has_positions(level, mesh)) {
+        keep_scene(level, mesh);
         return;
       }
       meshes = std::move(level.by_variant);
@@ -192,6 +193,22 @@ class LevelsJudge {
       first.likely = recognize_connectivity(before_, mesh, first_marked_);
     }
     return false;
+  }
+
+  /// For a viewer.
+  void keep_scene(const Level& level, const MeshDump& mesh) {
+    if (!task_.explain || level.surface.halfedges.size() > kMostSceneHalfedges) return;
+    const std::string which = where_.empty() ? "" : " " + where_;
+    judgement_.scene = {"subdivide" + which, kUnsetRef, before_, mesh, placed(level)};
+  }
+
+  /// The right surface in its right place, by the weights that were tried first.
+  static MeshDump placed(const Level& level) {
+    MeshDump surface = level.surface;
+    const std::vector<Point3>& points = level.by_variant.begin()->second.positions;
+    for (std::size_t v = 0; v < points.size(); ++v)
+      surface.vertices[v].position = points[v];
+    return surface;
   }
 
   bool has_counts(const Level& level, const std::vector<Ref>& old_to_mine,

@@ -1,0 +1,19 @@
+// Reads the data that the page came with and shows it.
+
+import { el, replace } from './dom';
+import type { PageData } from './model/types';
+import { showReport } from './panels/report_page';
+
+function readData(): PageData {
+  const text = document.getElementById('meshgrade-data')?.textContent ?? '';
+  return JSON.parse(text) as PageData;
+}
+
+const app = document.getElementById('app')!;
+const data = readData();
+if (data.kind === 'report') {
+  showReport(app, data.report);
+} else {
+  replace(app, el('main', { class: 'report' }, el('h1', {}, 'Meshgrade'),
+    el('p', {}, 'This page has nothing to show: write a report with meshgrade check --html FILE.')));
+}

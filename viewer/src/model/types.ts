@@ -1,0 +1,118 @@
+// What the grader puts into the page. docs/report.md explains the report.
+
+import type { MeshJson } from './mesh';
+
+export interface PointerCell {
+  before: string;
+  yours: string;
+  expected: string;
+  wrong: boolean;
+}
+export interface PointerTable {
+  kind: string;
+  columns: string[];
+  rows: { element: string; role: string; cells: PointerCell[] }[];
+}
+export interface WrongPointer {
+  pointer: string;
+  role: string;
+  expected: string;
+  actual: string;
+  was_set: boolean;
+}
+export interface PointerDiff {
+  corners: string;
+  missing: number;
+  surplus: number;
+  wrong: WrongPointer[];
+  tables: PointerTable[];
+}
+export interface Finding {
+  rule: string;
+  meaning: string;
+  where: string;
+  element: string;
+  expected: string;
+  actual: string;
+  look_at: string;
+  likely: { name: string; advice: string }[];
+  stack: { function: string; file: string; line: number; code: string }[];
+  pointers?: PointerDiff;
+}
+export interface RuleBreak {
+  rule: string;
+  meaning: string;
+  element: string;
+  expected: string;
+  actual: string;
+  look_at: string;
+}
+export interface PointerChange {
+  element: string;
+  pointer: string;
+  before: string;
+  after: string;
+}
+export interface Scene {
+  step: string;
+  edge: number | null;
+  before: MeshJson;
+  yours: MeshJson;
+  expected: MeshJson;
+  broken: RuleBreak[];
+  changes: PointerChange[];
+}
+export interface Case {
+  id: string;
+  group: string;
+  title: string;
+  shrunk_from?: string;
+  verdict: string;
+  note: string;
+  output: string;
+  output_bytes: number;
+  findings: Finding[];
+  scene?: Scene;
+  /** A picture of what is wrong: SVG text. */
+  figure?: string;
+}
+export interface Group {
+  name: string;
+  title: string;
+  extra_credit: boolean;
+  points: number;
+  max_points: number;
+  passed: number;
+  judged: number;
+  cases: number;
+}
+export interface Exercise {
+  name: string;
+  title: string;
+  verdict: string;
+  points: number;
+  max_points: number;
+  extra_points: number;
+  max_extra_points: number;
+  notes: string[];
+  stand_ins: string[];
+  groups: Group[];
+  cases: Case[];
+}
+export interface Report {
+  assignment: string;
+  submission: string;
+  seed: number;
+  points: number;
+  max_points: number;
+  extra_points: number;
+  max_extra_points: number;
+  notes: string[];
+  files: { name: string; compiled: boolean; messages: string }[];
+  exercises: Exercise[];
+}
+
+export type PageData =
+  | { kind: 'empty' }
+  | { kind: 'report'; report: Report }
+  | { kind: 'live'; token: string };

@@ -1,0 +1,136 @@
+// A grading report: the points, then each exercise with its cases, the failed ones first.
+
+import { el, replace, type Child } from '../dom';
+import type { Case, Exercise, Group, Report } from '../model/types';
+import { caseCard, openCase } from './case_card';
+import { points, toneOf, verdictTag } from './verdict';
+
+function bar(value: number, most: number, label: string): HTMLElement {
+  const share = most > 0 ? Math.max(0, Math.min(1, value / most)) : 0;
+  const fill = el('span', { class: 'bar-fill' });
+  fill.style.width = `${100 * share}%`;
+  const words = label === '' ? { 'aria-hidden': 'true' } : { role: 'img', 'aria-label': label };
+  return el('span', { class: 'bar', ...words }, fill);
+}
+
+function score(value: number, most: number): HTMLElement {
+  return el('span', { class: 'score' }, el('strong', {}, points(value)), ` / ${points(most)}`);
+}
+
+function head(report: Report): HTMLElement {
+  const extra = report.max_extra_points > 0
+    ? el('span', { class: 'quiet' }, `extra credit ${points(report.extra_points)} / ${points(report.max_extra_points)}`)
+    : null;
+  return el(
+    'header',
+    { class: 'report-head' },
+    el('div', {},
+      el('p', { class: 'eyebrow' }, report.assignment),
+      el('h1', {}, report.submission)),
+    el('div', { class: 'total' },
+      score(report.points, report.max_points),
+      bar(report.points, report.max_points, `${points(report.points)} of ${points(report.max_points)} points`),
+      extra),
+  );
+}
+
+function overview(report: Report): HTMLElement {
+  return el(
+    'nav',
+    { class: 'overview', 'aria-label': 'Exercises' },
+    ...report.exercises.map((exercise) => {
+      const { sign, tone } = toneOf(exercise.verdict);
+      return el(
+        'a',
+        { href: `#exercise-${exercise.name}`, class: 'overview-row' },
+        el('span', { class: `sign ${tone}`, 'aria-hidden': 'true' }, sign),
+        el('span', { class: 'overview-name' }, exercise.title,
+          el('span', { class: 'quiet verdict-text' }, exercise.verdict)),
+        bar(exercise.points, exercise.max_points, ''),
+        score(exercise.points, exercise.max_points));
+    }),
+  );
+}
+
+function groupTable(exercise: Exercise): HTMLElement {
+  return el('table', { class: 'groups' },
+    el('thead', {}, el('tr', {}, ...['What is tried', 'Cases passed', 'Points'].map((t, i) =>
+      el('th', { scope: 'col', class: i > 0 ? 'number' : undefined }, t)))),
+    el('tbody', {}, ...exercise.groups.map((g) =>
+      el('tr', {},
+        el('th', { scope: 'row' }, g.title === '' ? g.name : g.title, g.extra_credit && el('span', { class: 'tag' }, 'extra credit')),
+        el('td', { class: 'number' }, `${g.passed} of ${g.judged}`),
+        el('td', { class: 'number' }, score(g.points, g.max_points))))));
+}
+
+function passedList(cases: Case[]): Child {
+  if (cases.length === 0) return null;
+  return el('details', { class: 'passed' },
+    el('summary', {}, `✓ ${cases.length} ${cases.length === 1 ? 'case' : 'cases'} passed`),
+    el('ul', {}, ...cases.map((c) => el('li', {}, c.title, ' ', el('span', { class: 'mono quiet' }, c.id)))));
+}
+
+const FIRST_CASES = 3;
+
+/** The first cases of a group that went wrong, and the others folded away. */
+function failedCases(group: Group, cases: Case[]): Child[] {
+  const cards = cases.map(caseCard);
+  const [first, others] = [cards.slice(0, FIRST_CASES), cards.slice(FIRST_CASES)];
+  const title = group.title === '' ? group.name : group.title;
+  if (others.length === 0) return first;
+  return [...first, el('details', { class: 'others' },
+    el('summary', {}, `${others.length} more like these: ${title}`), ...others)];
+}
+
+function exerciseSection(exercise: Exercise): HTMLElement {
+  const isPlain = (c: Case): boolean => c.verdict === 'passed' && c.output === '';
+  const failed = exercise.cases.filter((c) => !isPlain(c));
+  const cards = exercise.groups.flatMap((group) =>
+    failedCases(group, failed.filter((c) => c.group === group.name)));
+  const told = failed.find((c) => c.findings.length > 0);
+  const section = el(
+    'section',
+    { class: 'exercise', id: `exercise-${exercise.name}` },
+    el('div', { class: 'exercise-head' },
+      el('h2', {}, exercise.title), verdictTag(exercise.verdict), score(exercise.points, exercise.max_points)),
+    ...exercise.notes.map((note) => el('p', { class: 'note' }, note)),
+    exercise.stand_ins.length > 0 && el('p', { class: 'note' },
+      `Judged with a right solution of ${exercise.stand_ins.join(', ')} in place of yours.`),
+    groupTable(exercise),
+    ...cards,
+    passedList(exercise.cases.filter(isPlain)),
+  );
+  const card = told && section.querySelector<HTMLDetailsElement>(`#${CSS.escape(`case-${told.id}`)}`);
+  if (card) openCase(card);
+  return section;
+}
+
+function files(report: Report): Child {
+  const broken = report.files.filter((f) => !f.compiled || f.messages !== '');
+  if (broken.length === 0 && report.notes.length === 0) return null;
+  return el('section', { class: 'files' },
+    report.notes.length > 0 && el('ul', { class: 'notes' }, ...report.notes.map((n) => el('li', {}, n))),
+    ...broken.map((f) => el('details', { open: !f.compiled },
+      el('summary', {}, el('span', { class: 'mono' }, f.name), ' ',
+        f.compiled ? 'compiled with warnings' : verdictTag('not compiled')),
+      el('pre', { tabindex: 0 }, f.messages))));
+}
+
+export function showReport(app: HTMLElement, report: Report): void {
+  document.title = `${report.submission}: ${points(report.points)} of ${points(report.max_points)} points`;
+  replace(
+    app,
+    el('main', { class: 'report' },
+      head(report),
+      overview(report),
+      files(report),
+      ...report.exercises.map(exerciseSection),
+      el('footer', { class: 'quiet' }, `Meshgrade, random cases from seed ${report.seed}. Repeat a case: `,
+        el('code', {}, 'meshgrade replay CASE'), '.')),
+  );
+  // On paper everything that failed is open, and nothing that passed.
+  window.addEventListener('beforeprint', () => {
+    for (const card of app.querySelectorAll<HTMLDetailsElement>('details.case')) openCase(card);
+    for (const more of app.querySelectorAll<HTMLDetailsElement>('.case details')) more.open = true;
+  });
+}

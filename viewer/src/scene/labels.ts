@@ -1,0 +1,77 @@
+// Ids and callouts, drawn as text over the 3D view.
+
+import { Vector3, type Camera } from 'three';
+import type { Palette } from './colors';
+import type { Vec } from './shapes';
+
+export interface Label {
+  text: string;
+  at: Vec;
+  /** Hidden when it faces away from the camera; zero: always shown. */
+  normal: Vec;
+  style: 'vertex' | 'halfedge' | 'face' | 'edge' | 'wrong' | 'selected';
+}
+
+const FONT = 'ui-monospace, "SFMono-Regular", Menlo, Consolas, "DejaVu Sans Mono", monospace';
+
+function isHidden(label: Label, camera: Camera): boolean {
+  const [x, y, z] = label.normal;
+  if (x === 0 && y === 0 && z === 0) return false;
+  const [a, b, c] = label.at;
+  const eye = camera.position;
+  return x * (eye.x - a) + y * (eye.y - b) + z * (eye.z - c) <= 0;
+}
+
+export function drawLabels(
+  canvas: HTMLCanvasElement,
+  labels: Label[],
+  camera: Camera,
+  colors: Palette,
+): void {
+  const context = canvas.getContext('2d');
+  if (!context) return;
+  const ratio = canvas.width / Math.max(1, canvas.clientWidth);
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.clearRect(0, 0, canvas.clientWidth, canvas.clientHeight);
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  const point = new Vector3();
+  for (const label of labels) {
+    if (isHidden(label, camera)) continue;
+    point.set(...label.at).project(camera);
+    if (Math.abs(point.z) > 1) continue;
+    const x = ((point.x + 1) / 2) * canvas.clientWidth;
+    const y = ((1 - point.y) / 2) * canvas.clientHeight;
+    drawLabel(context, label, x, y, colors);
+  }
+}
+
+function drawLabel(
+  context: CanvasRenderingContext2D,
+  label: Label,
+  x: number,
+  y: number,
+  colors: Palette,
+): void {
+  const boxed = label.style === 'vertex' || label.style === 'wrong' || label.style === 'selected';
+  context.font = `${boxed ? '600 ' : ''}${label.style === 'face' ? 12.5 : 11.5}px ${FONT}`;
+  if (!boxed) {
+    context.lineWidth = 3;
+    context.lineJoin = 'round';
+    context.strokeStyle = colors.ground;
+    context.strokeText(label.text, x, y);
+    context.fillStyle = label.style === 'face' ? colors.muted : colors.ink;
+    context.fillText(label.text, x, y);
+    return;
+  }
+  const width = context.measureText(label.text).width + 10;
+  const fill = { vertex: colors.ink, wrong: colors.wrong, selected: colors.selected }[
+    label.style as 'vertex' | 'wrong' | 'selected'
+  ];
+  context.fillStyle = fill;
+  context.beginPath();
+  context.roundRect(x - width / 2, y - 9, width, 18, 5);
+  context.fill();
+  context.fillStyle = colors.ground;
+  context.fillText(label.text, x, y + 0.5);
+}

@@ -1,0 +1,479 @@
+// The 3D view of one mesh.
+
+import * as THREE from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { nameOf, parseElement, sameElement, type Element, type Mesh } from '../model/mesh';
+import { palette, type Palette } from './colors';
+import { drawLabels, type Label } from './labels';
+import { pick } from './picking';
+import {
+  ArrowMaker, add, arrowTriangles, ballOf, dot, length, linesOf, mix, placeOf, scale, sub,
+  surfaceOf, unit, type Surface, type Vec,
+} from './shapes';
+
+/** A pointer that is wrong, or one that it should be. */
+export interface Arc {
+  element: Element;
+  pointer: string;
+  /** Where it leads; null: to no element that could be shown. */
+  target: Element | null;
+  text: string;
+}
+
+export interface Marks {
+  arcs: Arc[];
+  changed: Set<string>;
+  open: boolean;
+}
+
+export interface ViewOptions {
+  ids: boolean;
+  wireframe: boolean;
+  smooth: boolean;
+  normalLines: boolean;
+}
+
+const MOST_ARROWS = 3000;
+const MOST_LABELS = 400;
+const HEAVY_TRIANGLES = 20000;
+
+/** Whether the graphics are computed by the processor; null: there are none at all. */
+function softwareRendered(): boolean | null {
+  const probe = document.createElement('canvas').getContext('webgl2');
+  if (!probe) return null;
+  const info = probe.getExtension('WEBGL_debug_renderer_info');
+  const name = String(probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER));
+  probe.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+export function hasWebGL(): boolean {
+  return softwareRendered() !== null;
+}
+
+export class MeshView {
+  readonly canvas: HTMLCanvasElement;
+  readonly options: ViewOptions = { ids: true, wireframe: false, smooth: false, normalLines: false };
+  onPick: (element: Element | null) => void = () => {};
+
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly labelCanvas = document.createElement('canvas');
+  private readonly scene = new THREE.Scene();
+  private readonly camera = new THREE.PerspectiveCamera(38, 1, 0.01, 100);
+  private readonly lamp = new THREE.DirectionalLight(0xffffff, 1.6);
+  private readonly controls: OrbitControls;
+  private readonly content = new THREE.Group();
+  private readonly software: boolean;
+  private readonly observer: ResizeObserver;
+  private colors: Palette;
+  private mesh: Mesh | null = null;
+  private maker: ArrowMaker | null = null;
+  private surface: Surface | null = null;
+  private marks: Marks = { arcs: [], changed: new Set(), open: false };
+  private normals: Float32Array | null = null;
+  private selected: Element | null = null;
+  private labels: Label[] = [];
+  private ball = { centre: [0, 0, 0] as Vec, radius: 1 };
+  private frame = 0;
+  private dragging = false;
+
+  /** @throws Error if there is no WebGL */
+  constructor(private readonly host: HTMLElement) {
+    this.software = softwareRendered() ?? false;
+    this.renderer = new THREE.WebGLRenderer({ antialias: !this.software, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.canvas = this.renderer.domElement;
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute('role', 'img');
+    this.labelCanvas.className = 'labels';
+    this.labelCanvas.setAttribute('aria-hidden', 'true');
+    host.replaceChildren(this.canvas, this.labelCanvas);
+    this.colors = palette(host);
+    this.scene.add(this.content, new THREE.HemisphereLight(0xffffff, 0x9a9a9a, 1.9), this.camera);
+    this.camera.add(this.lamp);
+    this.lamp.position.set(-0.6, 0.9, 1);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('start', () => this.drag(true));
+    this.controls.addEventListener('end', () => this.drag(false));
+    this.listenToPicks();
+    this.observer = new ResizeObserver(() => this.resize());
+    this.observer.observe(host);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', this.restyle);
+  }
+
+  dispose(): void {
+    this.observer.disconnect();
+    matchMedia('(prefers-color-scheme: dark)').removeEventListener('change', this.restyle);
+    cancelAnimationFrame(this.frame);
+    this.clear();
+    this.controls.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+  }
+
+  private readonly restyle = (): void => {
+    this.colors = palette(this.host);
+    this.rebuild();
+  };
+
+  /** The wheel zooms only while the view has the focus, so that a long page can be scrolled. */
+  zoomOnlyWithFocus(): void {
+    this.controls.enableZoom = false;
+    this.canvas.addEventListener('focus', () => (this.controls.enableZoom = true));
+    this.canvas.addEventListener('blur', () => (this.controls.enableZoom = false));
+  }
+
+  /** Shows a mesh. The camera stays where it is unless `fit` asks for the whole mesh. */
+  show(mesh: Mesh, marks: Marks, fit: boolean, normals: Float32Array | null = null): void {
+    this.mesh = mesh;
+    this.marks = marks;
+    this.normals = normals;
+    this.maker = new ArrowMaker(mesh);
+    this.surface = surfaceOf(mesh);
+    this.ball = ballOf(mesh);
+    if (this.selected && !mesh.isLive(this.selected)) this.selected = null;
+    if (fit) this.reset();
+    this.rebuild();
+  }
+
+  select(element: Element | null): void {
+    this.selected = element;
+    this.rebuild();
+  }
+
+  setOption(name: keyof ViewOptions, value: boolean): void {
+    this.options[name] = value;
+    this.rebuild();
+  }
+
+  reset(): void {
+    this.lookFrom([0.55, 0.42, 0.9], this.ball.centre, this.ball.radius * 3.15);
+  }
+
+  /** Turns the camera so that an element is in front. */
+  turnTo(element: Element): void {
+    const place = this.mesh && this.maker && placeOf(this.mesh, this.maker, element);
+    if (!place) return;
+    const outward = length(place.normal) > 0 ? place.normal : unit(sub(place.centre, this.ball.centre));
+    const tilted = unit(add(outward, scale([0.25, 0.35, 0.2], 0.8)));
+    this.lookFrom(tilted, mix(this.ball.centre, place.centre, 0.5), this.ball.radius * 2.6);
+  }
+
+  orbit(right: number, up: number): void {
+    const spherical = new THREE.Spherical().setFromVector3(
+      this.camera.position.clone().sub(this.controls.target),
+    );
+    spherical.theta += right;
+    spherical.phi = Math.min(Math.PI - 0.01, Math.max(0.01, spherical.phi - up));
+    this.camera.position.setFromSpherical(spherical).add(this.controls.target);
+    this.controls.update();
+    this.draw();
+  }
+
+  zoom(factor: number): void {
+    const offset = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+    this.draw();
+  }
+
+  pan(right: number, up: number): void {
+    const reach = this.camera.position.distanceTo(this.controls.target);
+    const shift = new THREE.Vector3(right * reach, up * reach, 0).applyQuaternion(this.camera.quaternion);
+    this.camera.position.add(shift);
+    this.controls.target.add(shift);
+    this.controls.update();
+    this.draw();
+  }
+
+  private lookFrom(direction: Vec, target: Vec, distance: number): void {
+    // A narrow view needs to be further away.
+    const far = distance * Math.max(1, 1 / (this.camera.aspect || 1));
+    this.controls.target.set(...target);
+    this.camera.position.set(...add(target, scale(unit(direction), far)));
+    this.camera.near = this.ball.radius / 200;
+    this.camera.far = this.ball.radius * 60;
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.draw();
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.host;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    // Before it is part of the page, it has no colours.
+    if (this.colors.ground === '') this.restyle();
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    const ratio = Math.min(2, window.devicePixelRatio);
+    this.labelCanvas.width = clientWidth * ratio;
+    this.labelCanvas.height = clientHeight * ratio;
+    const before = this.camera.aspect;
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    if (before === 1) this.reset();
+    this.draw();
+  }
+
+  private drag(on: boolean): void {
+    this.dragging = on;
+    const heavy = this.software && (this.surface?.faces.length ?? 0) > HEAVY_TRIANGLES;
+    if (heavy) {
+      this.renderer.setPixelRatio(on ? 0.5 : 1);
+      for (const child of this.content.children) {
+        if (child.userData['detail']) child.visible = !on;
+      }
+    }
+    this.draw();
+  }
+
+  draw(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = requestAnimationFrame(() => {
+      this.renderer.render(this.scene, this.camera);
+      this.camera.updateMatrixWorld();
+      drawLabels(this.labelCanvas, this.dragging && this.labels.length > 200 ? [] : this.labels,
+        this.camera, this.colors);
+    });
+  }
+
+  private listenToPicks(): void {
+    let down = [0, 0];
+    this.canvas.addEventListener('pointerdown', (event) => (down = [event.clientX, event.clientY]));
+    this.canvas.addEventListener('pointerup', (event) => {
+      if (Math.hypot(event.clientX - down[0]!, event.clientY - down[1]!) > 4) return;
+      const box = this.canvas.getBoundingClientRect();
+      const point = new THREE.Vector2(
+        (2 * (event.clientX - box.left)) / box.width - 1,
+        1 - (2 * (event.clientY - box.top)) / box.height,
+      );
+      const ray = new THREE.Raycaster();
+      ray.setFromCamera(point, this.camera);
+      if (this.mesh && this.surface) this.onPick(pick(this.mesh, this.surface, ray.ray));
+    });
+  }
+
+  private clear(): void {
+    this.content.traverse((object) => {
+      if (!(object instanceof THREE.Mesh || object instanceof THREE.LineSegments)) return;
+      object.geometry.dispose();
+      for (const material of [object.material].flat()) (material as THREE.Material).dispose();
+    });
+    this.content.clear();
+  }
+
+  private rebuild(): void {
+    if (!this.mesh || !this.surface) return;
+    this.clear();
+    this.labels = [];
+    this.scene.background = new THREE.Color(this.colors.ground);
+    if (!this.options.wireframe) this.addSurface(this.surface);
+    this.addLines(linesOf(this.mesh), this.colors.line);
+    this.addHoles();
+    this.addArrows();
+    this.addSelection();
+    this.addArcs();
+    this.addNormalLines();
+    this.addLabels();
+    this.draw();
+  }
+
+  private addSurface(surface: Surface): void {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(surface.positions, 3));
+    const smooth = this.options.smooth && this.normals !== null;
+    if (smooth) {
+      const normals = new Float32Array(surface.positions.length);
+      surface.corners.forEach((v, i) => {
+        for (let axis = 0; axis < 3; ++axis) normals[3 * i + axis] = this.normals![3 * v + axis]!;
+      });
+      geometry.setAttribute('normal', new THREE.BufferAttribute(normals, 3));
+    } else {
+      geometry.computeVertexNormals();
+    }
+    for (const [side, color] of [
+      [THREE.FrontSide, this.colors.front],
+      [THREE.BackSide, this.colors.back],
+    ] as const) {
+      const material = new THREE.MeshLambertMaterial({
+        color, side, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2,
+      });
+      this.content.add(new THREE.Mesh(geometry, material));
+    }
+  }
+
+  private addLines(points: Float32Array, color: string): void {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
+    const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color }));
+    lines.userData['detail'] = true;
+    this.content.add(lines);
+  }
+
+  /** Faces whose walk does not close are open; their walk is drawn as far as it goes. */
+  private addHoles(): void {
+    for (const walk of this.mesh!.faces()) {
+      if (walk.closed) continue;
+      for (const h of walk.halfedges) this.addTriangles(this.arrowOf(h, 1.5), this.colors.wrong);
+      const plane = this.maker!.plane(walk.face);
+      if (plane) {
+        this.labels.push({ text: `${nameOf(walk.face)} is open`, at: plane.centre, normal: [0, 0, 0], style: 'wrong' });
+      }
+    }
+  }
+
+  private arrowOf(h: number, grow = 1): Vec[] {
+    const arrow = h < 0 ? null : this.maker!.make(h);
+    return arrow ? arrowTriangles(arrow, grow) : [];
+  }
+
+  private addArrows(): void {
+    const mesh = this.mesh!;
+    if (mesh.halfedgeCount > MOST_ARROWS) return;
+    const plain: Vec[] = [];
+    const changed: Vec[] = [];
+    for (let h = 0; h < mesh.halfedgeCount; ++h) {
+      (this.marks.changed.has(`h${h}`) ? changed : plain).push(...this.arrowOf(h));
+    }
+    this.addTriangles(plain, this.colors.arrow);
+    this.addTriangles(changed, this.colors.changed);
+  }
+
+  private addTriangles(points: Vec[], color: string, onTop = false): void {
+    if (points.length === 0) return;
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(Float32Array.from(points.flat()), 3));
+    const material = new THREE.MeshBasicMaterial({ color, side: THREE.DoubleSide, depthTest: !onTop });
+    const object = new THREE.Mesh(geometry, material);
+    object.renderOrder = onTop ? 2 : 1;
+    this.content.add(object);
+  }
+
+  /** The selected element, with the next and the twin of a half-edge. */
+  private addSelection(): void {
+    const element = this.selected;
+    const mesh = this.mesh!;
+    if (!element || !mesh.isLive(element)) return;
+    const place = placeOf(mesh, this.maker!, element);
+    if (place) {
+      this.labels.push({ text: nameOf(element), at: place.centre, normal: [0, 0, 0], style: 'selected' });
+    }
+    const { selected, next, twin } = this.colors;
+    if (element.kind === 'h') {
+      this.addTriangles(this.arrowOf(mesh.twin(element.index), 1.6), twin, true);
+      this.addTriangles(this.arrowOf(mesh.next(element.index), 1.6), next, true);
+      this.addTriangles(this.arrowOf(element.index, 1.9), selected, true);
+    } else if (element.kind === 'v') {
+      this.addBall(mesh.position(element.index), this.ball.radius * 0.03, selected);
+    } else if (element.kind === 'e') {
+      const h = mesh.halfedge(element);
+      const [a, b] = [mesh.vertex(h), mesh.end(h)];
+      if (a >= 0 && b >= 0) this.addTube([mesh.position(a), mesh.position(b)], selected, 0.009);
+    } else {
+      for (const h of mesh.walk(element).halfedges) {
+        this.addTriangles(this.arrowOf(h, 1.6), selected, true);
+      }
+    }
+  }
+
+  private addBall(at: Vec, radius: number, color: string): void {
+    const object = new THREE.Mesh(
+      new THREE.SphereGeometry(radius, 20, 14),
+      new THREE.MeshBasicMaterial({ color, depthTest: false }),
+    );
+    object.position.set(...at);
+    object.renderOrder = 3;
+    this.content.add(object);
+  }
+
+  private addTube(points: Vec[], color: string, thick: number): void {
+    const curve = new THREE.CatmullRomCurve3(points.map((p) => new THREE.Vector3(...p)));
+    const radius = thick * this.ball.radius;
+    const object = new THREE.Mesh(
+      new THREE.TubeGeometry(curve, points.length > 2 ? 32 : 1, radius, 8),
+      new THREE.MeshBasicMaterial({ color, depthTest: false }),
+    );
+    object.renderOrder = 3;
+    this.content.add(object);
+  }
+
+  /** A wrong pointer is an arc from its element to where it really leads. */
+  private addArcs(): void {
+    for (const arc of this.marks.arcs) {
+      const from = placeOf(this.mesh!, this.maker!, arc.element);
+      if (!from) continue;
+      if (arc.element.kind === 'h') {
+        this.addTriangles(this.arrowOf(arc.element.index, 1.6), this.colors.wrong, true);
+      }
+      const outward = unit(sub(from.centre, this.ball.centre));
+      const to = arc.target && placeOf(this.mesh!, this.maker!, arc.target);
+      const end: Vec = to ? to.centre : add(from.centre, scale(outward, 0.5 * this.ball.radius));
+      const apex = this.addArc(from.centre, end, outward);
+      this.labels.push({ text: arc.text, at: to ? apex : end, normal: [0, 0, 0], style: 'wrong' });
+    }
+  }
+
+  private addArc(from: Vec, to: Vec, outward: Vec): Vec {
+    const reach = length(sub(to, from));
+    const lift = scale(outward, 0.25 * reach + 0.06 * this.ball.radius);
+    const points: Vec[] = [];
+    for (let i = 0; i <= 12; ++i) {
+      const t = i / 12;
+      points.push(add(mix(from, to, t), scale(lift, 4 * t * (1 - t))));
+    }
+    this.addTube(points, this.colors.wrong, 0.008);
+    const tip = new THREE.Mesh(
+      new THREE.ConeGeometry(0.03 * this.ball.radius, 0.09 * this.ball.radius, 14),
+      new THREE.MeshBasicMaterial({ color: this.colors.wrong, depthTest: false }),
+    );
+    const direction = new THREE.Vector3(...unit(sub(to, points[11]!)));
+    tip.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
+    tip.position.set(...sub(to, scale(direction.toArray() as Vec, 0.04 * this.ball.radius)));
+    tip.renderOrder = 4;
+    this.content.add(tip);
+    return points[6]!;
+  }
+
+  private addNormalLines(): void {
+    if (!this.options.normalLines || !this.normals) return;
+    const points: number[] = [];
+    for (let v = 0; v < this.mesh!.vertexCount; ++v) {
+      if (!this.mesh!.isLive({ kind: 'v', index: v })) continue;
+      const at = this.mesh!.position(v);
+      const normal = [0, 1, 2].map((axis) => this.normals![3 * v + axis]!) as Vec;
+      if (!normal.every(Number.isFinite)) continue;
+      points.push(...at, ...add(at, scale(normal, 0.15 * this.ball.radius)));
+    }
+    this.addLines(Float32Array.from(points), this.colors.twin);
+  }
+
+  private addLabels(): void {
+    const mesh = this.mesh!;
+    if (!this.options.ids || mesh.halfedgeCount > MOST_LABELS) return;
+    const ids: Label[] = [];
+    for (const kind of ['f', 'h', 'v'] as const) {
+      for (let index = 0; index < mesh.size(kind); ++index) {
+        const element: Element = { kind, index };
+        if (!mesh.isLive(element) || sameElement(element, this.selected)) continue;
+        const place = placeOf(mesh, this.maker!, element);
+        if (!place) continue;
+        const normal = kind === 'v' ? this.vertexNormal(place.centre) : place.normal;
+        const style = kind === 'v' ? 'vertex' : kind === 'h' ? 'halfedge' : 'face';
+        ids.push({ text: nameOf(element), at: place.centre, normal, style });
+      }
+    }
+    this.labels.unshift(...ids);
+  }
+
+  /** Good enough to hide the labels of vertices on the far side. */
+  private vertexNormal(at: Vec): Vec {
+    const outward = sub(at, this.ball.centre);
+    return dot(outward, outward) > 0 ? outward : [0, 0, 0];
+  }
+}
+
+/** The element that a text of the grader names first, if the mesh has it. */
+export function elementIn(mesh: Mesh, text: string): Element | null {
+  const element = parseElement(text);
+  return element && mesh.isLive(element) ? element : null;
+}

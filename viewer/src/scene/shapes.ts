@@ -1,0 +1,198 @@
+// Turns a mesh into what is drawn: triangles, lines and the arrows of half-edges.
+
+import type { Element, FaceWalk, Mesh } from '../model/mesh';
+
+export type Vec = [number, number, number];
+
+export const add = (a: Vec, b: Vec): Vec => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+export const sub = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+export const scale = (a: Vec, s: number): Vec => [a[0] * s, a[1] * s, a[2] * s];
+export const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const length = (a: Vec): number => Math.hypot(a[0], a[1], a[2]);
+export const cross = (a: Vec, b: Vec): Vec => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+export const unit = (a: Vec): Vec => {
+  const size = length(a);
+  return size > 0 ? scale(a, 1 / size) : [0, 0, 1];
+};
+export const mix = (a: Vec, b: Vec, t: number): Vec => add(scale(a, 1 - t), scale(b, t));
+
+export interface Surface {
+  positions: Float32Array;
+  /** The vertex of each corner. */
+  corners: Uint32Array;
+  /** The face and the three half-edges (-1: a line inside a polygon) of each triangle. */
+  faces: Uint32Array;
+  sides: Int32Array;
+}
+
+/** The faces that close, cut into triangles. */
+export function surfaceOf(mesh: Mesh): Surface {
+  const corners: number[] = [];
+  const faces: number[] = [];
+  const sides: number[] = [];
+  for (const walk of mesh.faces()) {
+    if (!walk.closed) continue;
+    const h = walk.halfedges;
+    for (let i = 1; i + 1 < h.length; ++i) {
+      corners.push(mesh.vertex(h[0]!), mesh.vertex(h[i]!), mesh.vertex(h[i + 1]!));
+      faces.push(walk.face.index);
+      sides.push(i === 1 ? h[0]! : -1, h[i]!, i + 2 === h.length ? h[i + 1]! : -1);
+    }
+  }
+  const positions = new Float32Array(3 * corners.length);
+  corners.forEach((v, i) => positions.set(mesh.position(v), 3 * i));
+  return {
+    positions,
+    corners: Uint32Array.from(corners),
+    faces: Uint32Array.from(faces),
+    sides: Int32Array.from(sides),
+  };
+}
+
+/** The two ends of every line between vertices that some half-edge runs along, once. */
+export function linesOf(mesh: Mesh): Float32Array {
+  const seen = new Set<number>();
+  const points: number[] = [];
+  for (let h = 0; h < mesh.halfedgeCount; ++h) {
+    if (!mesh.isLive({ kind: 'h', index: h })) continue;
+    const [a, b] = [mesh.vertex(h), mesh.end(h)];
+    if (a < 0 || b < 0 || a === b) continue;
+    const key = Math.min(a, b) * mesh.vertexCount + Math.max(a, b);
+    if (seen.has(key)) continue;
+    seen.add(key);
+    points.push(...mesh.position(a), ...mesh.position(b));
+  }
+  return Float32Array.from(points);
+}
+
+/** The middle and the normal of a face, from the corners that its walk came by. */
+export interface Plane {
+  centre: Vec;
+  normal: Vec;
+}
+
+export function planeOf(mesh: Mesh, walk: FaceWalk): Plane | null {
+  const points = walk.halfedges.map((h) => mesh.position(mesh.vertex(h)));
+  const last = walk.halfedges.at(-1);
+  if (!walk.closed && last !== undefined && mesh.end(last) >= 0) {
+    points.push(mesh.position(mesh.end(last)));
+  }
+  if (points.length < 3) return null;
+  const centre = scale(points.reduce(add, [0, 0, 0]), 1 / points.length);
+  let normal: Vec = [0, 0, 0];
+  points.forEach((p, i) => {
+    const q = points[(i + 1) % points.length]!;
+    normal = add(normal, cross(sub(p, centre), sub(q, centre)));
+  });
+  return { centre, normal: unit(normal) };
+}
+
+export interface Arrow {
+  halfedge: number;
+  from: Vec;
+  to: Vec;
+  /** Into the face, in its plane. */
+  inward: Vec;
+  normal: Vec;
+  width: number;
+}
+
+/** Where half-edges are drawn: beside their edge, inside their face. */
+export class ArrowMaker {
+  private readonly planes = new Map<number, Plane | null>();
+
+  constructor(private readonly mesh: Mesh) {
+    for (const walk of mesh.faces()) this.planes.set(walk.face.index, planeOf(mesh, walk));
+  }
+
+  plane(face: Element | null): Plane | null {
+    return face?.kind === 'f' ? (this.planes.get(face.index) ?? null) : null;
+  }
+
+  /** The arrow of a half-edge; null if it has no two ends. */
+  make(h: number): Arrow | null {
+    const { mesh } = this;
+    const [v, w] = [mesh.vertex(h), mesh.end(h)];
+    if (!mesh.isLive({ kind: 'h', index: h }) || v < 0 || w < 0 || v === w) return null;
+    const [a, b] = [mesh.position(v), mesh.position(w)];
+    const along = sub(b, a);
+    const size = length(along);
+    if (size === 0) return null;
+    const direction = scale(along, 1 / size);
+    const side = this.side(h, mix(a, b, 0.5), direction);
+    const gap = Math.min(0.11 * size, 0.24 * side.room);
+    const shift = scale(side.inward, gap);
+    const trim = Math.min(0.17, (1.9 * gap) / size);
+    return {
+      halfedge: h,
+      from: add(mix(a, b, trim), shift),
+      to: add(mix(b, a, trim), shift),
+      inward: side.inward,
+      normal: side.normal,
+      width: Math.min(0.022 * size, 0.25 * gap),
+    };
+  }
+
+  private side(h: number, middle: Vec, direction: Vec) {
+    const own = this.plane(this.mesh.face(h));
+    const twin = this.mesh.twin(h);
+    const other = own ? null : this.plane(twin < 0 ? null : this.mesh.face(twin));
+    const plane = own ?? other;
+    const towards: Vec = plane ? sub(plane.centre, middle) : [0.31, 0.77, 0.55];
+    const flat = sub(towards, scale(direction, dot(towards, direction)));
+    const inward = scale(unit(flat), own || !other ? 1 : -1);
+    return { inward, normal: plane?.normal ?? cross(direction, inward), room: length(flat) };
+  }
+}
+
+/** Six triangles: a shaft and a head on its outer side, as half-edges are drawn in books. */
+export function arrowTriangles(arrow: Arrow, grow = 1): Vec[] {
+  const { from, to, inward } = arrow;
+  const w = arrow.width * grow;
+  const direction = unit(sub(to, from));
+  const head = Math.min(5 * w, 0.35 * length(sub(to, from)));
+  const neck = sub(to, scale(direction, head));
+  const left = scale(inward, w / 2);
+  const wide = scale(inward, 2 * w);
+  return [
+    sub(from, left), sub(neck, left), add(neck, left),
+    sub(from, left), add(neck, left), add(from, left),
+    sub(neck, left), to, add(neck, wide),
+  ];
+}
+
+/** The middle of an element, and the direction that it faces; null if it has no place. */
+export function placeOf(mesh: Mesh, maker: ArrowMaker, element: Element): Plane | null {
+  if (element.kind === 'v') {
+    return { centre: mesh.position(element.index), normal: [0, 0, 0] };
+  }
+  if (element.kind === 'f') return maker.plane(element);
+  const h = mesh.halfedge(element);
+  if (h < 0) return null;
+  if (element.kind === 'h' || element.kind === 'b') {
+    const arrow = maker.make(h);
+    return arrow && { centre: mix(arrow.from, arrow.to, 0.5), normal: arrow.normal };
+  }
+  const [a, b] = [mesh.vertex(h), mesh.end(h)];
+  if (a < 0 || b < 0) return null;
+  return { centre: mix(mesh.position(a), mesh.position(b), 0.5), normal: [0, 0, 0] };
+}
+
+/** The box around all live vertices, as its middle and half its diagonal. */
+export function ballOf(mesh: Mesh): { centre: Vec; radius: number } {
+  const low: Vec = [Infinity, Infinity, Infinity];
+  const high: Vec = [-Infinity, -Infinity, -Infinity];
+  for (let v = 0; v < mesh.vertexCount; ++v) {
+    if (!mesh.isLive({ kind: 'v', index: v })) continue;
+    mesh.position(v).forEach((x, axis) => {
+      low[axis] = Math.min(low[axis]!, x);
+      high[axis] = Math.max(high[axis]!, x);
+    });
+  }
+  if (!(low[0] <= high[0])) return { centre: [0, 0, 0], radius: 1 };
+  return { centre: mix(low, high, 0.5), radius: length(sub(high, low)) / 2 || 1 };
+}
