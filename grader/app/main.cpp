@@ -17,6 +17,7 @@
 #include "grader/app/replay_command.h"
 #include "grader/app/similarity_command.h"
 #include "grader/app/subdivide_command.h"
+#include "grader/app/view_command.h"
 #include "grader/app/watch_command.h"
 #include "grader/base/errors.h"
 
@@ -36,6 +37,7 @@ int run(int argc, char** argv) {
   meshgrade::add_export_command(app, exit_code);
   meshgrade::add_diff_command(app, exit_code);
   meshgrade::add_similarity_command(app, exit_code);
+  meshgrade::add_view_command(app, exit_code);
   meshgrade::add_watch_command(app, exit_code);
   meshgrade::add_replay_command(app, exit_code);
   meshgrade::add_hint_command(app, exit_code);

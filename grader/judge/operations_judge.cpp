@@ -506,4 +506,13 @@ void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
   leave_to_other_exercise(task, input, done, judgement);
 }
 
+void judge_operation(const JudgeTask& task, const MeshDump& before, OperationKind kind,
+                     const OperationStep& step, CaseJudgement& judgement) {
+  if (step.edge >= before.edges.size() || before.edges[step.edge].live == 0) {
+    throw WireError("another edge");
+  }
+  StepJudge(task, before, {kind, 0, 0}, step, "", judgement).judge();
+  if (!judgement.findings.empty()) judgement.verdict = Verdict::kFailed;
+}
+
 }  // namespace meshgrade

@@ -120,7 +120,11 @@ Json to_value(const Sandbox& sandbox) {
 
 }  // namespace
 
-nlohmann::ordered_json to_json_value(const Report& report) {
+Json to_json_value(const CaseReport& report) {
+  return to_value(report);
+}
+
+Json to_json_value(const Report& report) {
   Json value{{"schema", kReportSchema},
              {"assignment", report.assignment},
              {"seed", report.seed},

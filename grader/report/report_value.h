@@ -11,4 +11,7 @@ namespace meshgrade {
 /// What to_json() writes.
 nlohmann::ordered_json to_json_value(const Report& report);
 
+/// A case of it.
+nlohmann::ordered_json to_json_value(const CaseReport& report);
+
 }  // namespace meshgrade

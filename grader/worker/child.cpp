@@ -15,7 +15,9 @@
 #include <iostream>
 #include <new>
 
+#include "grader/cases/view_input.h"
 #include "grader/worker/exercises.h"
+#include "grader/worker/view_task.h"
 #include "meshedit/fault.h"
 
 namespace meshgrade {
@@ -46,6 +48,7 @@ void run_exercise(const Task& task, Recorder& recorder) {
   if (task.exercise == #name) return run_##name(input, recorder);
 #include "exercise_list.inc"
 #undef MESHGRADE_EXERCISE
+  if (task.exercise == kViewTask) return run_view(input, recorder);
   throw WireError("no such exercise: " + task.exercise);
 }
 

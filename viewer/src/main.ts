@@ -1,6 +1,8 @@
 // Reads the data that the page came with and shows it.
 
 import { el, replace } from './dom';
+import { Connection } from './live/connection';
+import { LivePage } from './live/live_page';
 import type { PageData } from './model/types';
 import { showReport } from './panels/report_page';
 
@@ -13,6 +15,8 @@ const app = document.getElementById('app')!;
 const data = readData();
 if (data.kind === 'report') {
   showReport(app, data.report);
+} else if (data.kind === 'live') {
+  new LivePage(app, new Connection(data.token));
 } else {
   replace(app, el('main', { class: 'report' }, el('h1', {}, 'Meshgrade'),
     el('p', {}, 'This page has nothing to show: write a report with meshgrade check --html FILE.')));

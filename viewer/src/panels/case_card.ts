@@ -23,7 +23,7 @@ function stackList(finding: Finding): Child {
   );
 }
 
-function findingBlock(finding: Finding, first: boolean): HTMLElement {
+export function findingBlock(finding: Finding, first: boolean): HTMLElement {
   return el(
     'div',
     { class: first ? 'finding first' : 'finding' },
@@ -59,14 +59,15 @@ function pointerTable(table: PointerTable): HTMLElement {
       el('th', { scope: 'row' }, el('span', { class: 'mono' }, row.element === '' ? '(missing)' : row.element),
         row.role !== '' && el('span', { class: 'quiet role' }, row.role)),
       ...row.cells.map(cell)));
-  return el('div', { class: 'table-scroll', tabindex: 0, role: 'region', 'aria-label': table.kind },
-    el('table', { class: 'pointer-table' },
+  const wide = table.columns.length > 1;
+  return el('div', { class: wide ? 'table-scroll' : 'table-scroll short', tabindex: 0, role: 'region', 'aria-label': table.kind },
+    el('table', { class: wide ? 'pointer-table wide' : 'pointer-table' },
       el('caption', {}, table.kind),
       el('thead', {}, el('tr', {}, el('td', {}), ...table.columns.map((c) => el('th', { scope: 'col' }, c)))),
       el('tbody', {}, ...rows)));
 }
 
-function pointerTables(diff: PointerDiff): HTMLElement {
+export function pointerTables(diff: PointerDiff): HTMLElement {
   const wrong = diff.wrong.length;
   return el(
     'details',

@@ -48,18 +48,21 @@ export class MeshPanel {
   selected: Element | null = null;
   onSelect: (element: Element | null) => void = () => {};
 
+  /** For what the page has to say about the step. */
+  readonly top = el('div', { class: 'top' });
+  states: MeshState[] = [];
+
   private readonly stage = el('div', { class: 'stage' });
   private readonly tabs = el('div', { class: 'tabs', role: 'group', 'aria-label': 'State' });
   private readonly tools = el('div', { class: 'tools', role: 'group', 'aria-label': 'View' });
   private readonly inspector = el('div', { class: 'inspector' });
   private readonly lists = el('div', { class: 'lists' });
   private readonly status = el('p', { class: 'status', role: 'status' });
-  private states: MeshState[] = [];
   private current = 0;
 
   constructor(alone: boolean) {
     const holder = el('div', { class: 'stage-holder' }, this.tabs, this.stage, this.tools);
-    const side = el('div', { class: 'side' }, this.status, this.finder(), this.inspector, this.lists);
+    const side = el('div', { class: 'side' }, this.status, this.top, this.finder(), this.inspector, this.lists);
     this.element.append(holder, side);
     this.view = this.makeView(alone);
     this.makeTools();
@@ -107,6 +110,10 @@ export class MeshPanel {
     return el('form', { class: 'finder', on: { submit: go } }, el('label', {}, 'Go to ', field));
   }
 
+  say(text: string): void {
+    this.status.textContent = text;
+  }
+
   toggle(name: keyof ViewOptions): void {
     if (!this.view) return;
     this.view.setOption(name, !this.view.options[name]);
@@ -150,7 +157,6 @@ export class MeshPanel {
     const marks: Marks = {
       arcs,
       changed: new Set(state.changes.map((c) => c.element)),
-      open: state.broken.length > 0,
     };
     this.view?.show(state.mesh, marks, fit);
     if (this.selected && !state.mesh.isLive(this.selected)) this.selected = null;

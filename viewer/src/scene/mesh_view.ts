@@ -23,7 +23,6 @@ export interface Arc {
 export interface Marks {
   arcs: Arc[];
   changed: Set<string>;
-  open: boolean;
 }
 
 export interface ViewOptions {
@@ -69,7 +68,7 @@ export class MeshView {
   private mesh: Mesh | null = null;
   private maker: ArrowMaker | null = null;
   private surface: Surface | null = null;
-  private marks: Marks = { arcs: [], changed: new Set(), open: false };
+  private marks: Marks = { arcs: [], changed: new Set() };
   private normals: Float32Array | null = null;
   private selected: Element | null = null;
   private labels: Label[] = [];
@@ -144,6 +143,12 @@ export class MeshView {
 
   setOption(name: keyof ViewOptions, value: boolean): void {
     this.options[name] = value;
+    this.rebuild();
+  }
+
+  /** Normals of the vertices by number, NaN where there is none; null: flat shading. */
+  setNormals(normals: Float32Array | null): void {
+    this.normals = normals;
     this.rebuild();
   }
 
@@ -269,7 +274,6 @@ export class MeshView {
     this.scene.background = new THREE.Color(this.colors.ground);
     if (!this.options.wireframe) this.addSurface(this.surface);
     this.addLines(linesOf(this.mesh), this.colors.line);
-    this.addHoles();
     this.addArrows();
     this.addSelection();
     this.addArcs();
@@ -310,16 +314,19 @@ export class MeshView {
     this.content.add(lines);
   }
 
-  /** Faces whose walk does not close are open; their walk is drawn as far as it goes. */
-  private addHoles(): void {
+  /** Half-edges that say they lie in a face whose walk does not close: it is open. */
+  private addHoles(): Set<number> {
+    const rim = new Set<number>();
     for (const walk of this.mesh!.faces()) {
       if (walk.closed) continue;
-      for (const h of walk.halfedges) this.addTriangles(this.arrowOf(h, 1.5), this.colors.wrong);
+      const own = walk.halfedges.filter((h) => sameElement(this.mesh!.face(h), walk.face));
+      own.forEach((h) => rim.add(h));
       const plane = this.maker!.plane(walk.face);
-      if (plane) {
-        this.labels.push({ text: `${nameOf(walk.face)} is open`, at: plane.centre, normal: [0, 0, 0], style: 'wrong' });
-      }
+      if (!plane) continue;
+      const text = `${nameOf(walk.face)} is open`;
+      this.labels.push({ text, at: plane.centre, normal: [0, 0, 0], style: 'wrong' });
     }
+    return rim;
   }
 
   private arrowOf(h: number, grow = 1): Vec[] {
@@ -327,16 +334,21 @@ export class MeshView {
     return arrow ? arrowTriangles(arrow, grow) : [];
   }
 
+  /** Each half-edge once: at the rim of an open face, changed by the step, or plain. */
   private addArrows(): void {
     const mesh = this.mesh!;
+    const rim = this.addHoles();
     if (mesh.halfedgeCount > MOST_ARROWS) return;
     const plain: Vec[] = [];
     const changed: Vec[] = [];
+    const open: Vec[] = [];
     for (let h = 0; h < mesh.halfedgeCount; ++h) {
-      (this.marks.changed.has(`h${h}`) ? changed : plain).push(...this.arrowOf(h));
+      const list = rim.has(h) ? open : this.marks.changed.has(`h${h}`) ? changed : plain;
+      list.push(...this.arrowOf(h));
     }
     this.addTriangles(plain, this.colors.arrow);
     this.addTriangles(changed, this.colors.changed);
+    this.addTriangles(open, this.colors.wrong);
   }
 
   private addTriangles(points: Vec[], color: string, onTop = false): void {

@@ -124,7 +124,7 @@ export class ArrowMaker {
     if (size === 0) return null;
     const direction = scale(along, 1 / size);
     const side = this.side(h, mix(a, b, 0.5), direction);
-    const gap = Math.min(0.11 * size, 0.24 * side.room);
+    const gap = Math.min(0.1 * size, 0.22 * side.room);
     const shift = scale(side.inward, gap);
     const trim = Math.min(0.17, (1.9 * gap) / size);
     return {

@@ -1,0 +1,112 @@
+#include "grader/app/view_command.h"
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+#include "grader/app/console.h"
+#include "grader/app/context.h"
+#include "grader/app/file_watch.h"
+#include "grader/base/errors.h"
+#include "grader/files/mesh_file.h"
+#include "grader/view/view_server.h"
+
+namespace meshgrade {
+namespace {
+
+struct ViewOptions {
+  std::string mesh;
+  std::string submission;
+  std::string assignment;
+  int port = 0;
+};
+
+/// Ctrl-C is taken by a thread of its own, so that the server ends in order.
+void end_by_signal(ViewServer& server, std::atomic<bool>& over, const sigset_t& signals) {
+  int signal = 0;
+  ::sigwait(&signals, &signal);
+  over = true;
+  server.stop();
+}
+
+sigset_t block_signals() {
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  ::sigaddset(&signals, SIGINT);
+  ::sigaddset(&signals, SIGTERM);
+  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+/// Builds again after each save. What is wrong with the files now may be right after the next.
+void rebuild_on_save(ViewServer& server, const std::filesystem::path& files,
+                     const std::atomic<bool>& over) {
+  FileWatch watch(files);
+  while (watch.wait_for_change([&] { return over.load(); })) {
+    try {
+      server.change([](MeshSession& session) { session.rebuild(); });
+    } catch (const std::exception& error) {
+      std::cerr << "meshgrade: " << error.what() << "\n";
+    }
+  }
+}
+
+int view(const ViewOptions& options) {
+  const sigset_t signals = block_signals();
+  const Home home = find_home();
+  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
+  const std::filesystem::path mesh =
+      options.mesh.empty() ? home.meshes / "cube.obj" : std::filesystem::path(options.mesh);
+  MeshSession session(assignment, home, options.submission);
+  const Progress progress = terminal_progress();
+  progress("compiling");
+  session.rebuild();
+  progress("");
+  session.open(mesh.filename().string(), read_mesh(mesh).mesh);
+  ViewServer server(session, viewer_page());
+  server.bind(options.port);
+  std::cout << server.address() << "\n"
+            << "Open this address in a browser. Saving a file builds it again; Ctrl-C ends.\n"
+            << std::flush;
+  std::atomic<bool> over{false};
+  std::thread watcher(
+      [&] { rebuild_on_save(server, std::filesystem::path(options.submission), over); });
+  std::thread ender([&] { end_by_signal(server, over, signals); });
+  server.serve();
+  over = true;
+  ::pthread_kill(ender.native_handle(), SIGTERM);
+  ender.join();
+  watcher.join();
+  return 0;
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<ViewOptions>();
+  CLI::App* command =
+      app.add_subcommand("view", "See a mesh, and what your functions make of it");
+  command->add_option("mesh", options->mesh, "A mesh file; a cube if none is named");
+  command
+      ->add_option("--submission", options->submission,
+                   "The folder with the C++ files, or one file")
+      ->required();
+  command->add_option("--assignment", options->assignment,
+                      "The assignment (TOML); the standard one if not given");
+  command->add_option("--port", options->port, "The port to listen on; any free one if 0")
+      ->check(CLI::Range(0, 65535));
+  command->footer(
+      "Flips, splits and subdivides with your own functions, in the browser. A crash or an\n"
+      "endless loop is told and nothing is lost; save your file, and the steps are repeated.\n"
+      "Examples:\n"
+      "  meshgrade view --submission my_homework\n"
+      "  meshgrade view meshes/icosahedron.obj --submission my_homework\n"
+      "Exit code: 0 when ended by Ctrl-C, 2 bad usage or an unreadable file, 3 an error of the\n"
+      "grader.");
+  command->callback([options, &exit_code] { exit_code = view(*options); });
+}
+
+}  // namespace meshgrade

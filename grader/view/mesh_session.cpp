@@ -1,0 +1,208 @@
+#include "grader/view/mesh_session.h"
+
+#include <algorithm>
+
+#include "grader/base/errors.h"
+#include "grader/base/text.h"
+#include "grader/mesh/build_mesh.h"
+#include "grader/mesh/dump_mesh.h"
+#include "grader/run/run.h"
+#include "grader/submission/submission.h"
+
+namespace meshgrade {
+namespace {
+
+constexpr std::uint32_t kPatienceMs = 4000;
+
+/// Far more than any good solution needs, and little enough that an endless walk is told at
+/// once.
+std::uint64_t step_budget(const PolygonMesh& mesh,
+                          const std::vector<ViewOperation>& operations) {
+  std::uint64_t faces = mesh.polygons.size() + 100;
+  std::uint64_t budget = 0;
+  for (const ViewOperation& operation : operations) {
+    if (operation.kind == ViewKind::kSubdivide) faces *= 4;
+    budget += 2000 + 1000 * faces;
+  }
+  return budget + 1000 * faces;
+}
+
+MeshDump first_state(const PolygonMesh& polygons) {
+  meshedit::HalfedgeMesh mesh;
+  try {
+    build_mesh(polygons, mesh);
+  } catch (const meshedit::MeshError& error) {
+    throw UserError(std::string("half-edges cannot be made of this mesh: ") + error.what());
+  }
+  return dump_mesh(mesh);
+}
+
+bool all_compiled(const std::vector<BuiltFile>& files) {
+  return std::all_of(files.begin(), files.end(),
+                     [](const BuiltFile& file) { return file.ok && file.left_out.empty(); });
+}
+
+}  // namespace
+
+MeshSession::MeshSession(const Assignment& assignment, const Home& home,
+                         std::filesystem::path submission)
+    : assignment_(assignment), home_(home), submission_(std::move(submission)) {
+  submission_name_ = find_submission(submission_, assignment_.submission).name;
+}
+
+void MeshSession::open(const std::string& name, const PolygonMesh& mesh) {
+  MeshDump first = first_state(mesh);
+  name_ = name;
+  start_ = mesh;
+  operations_.clear();
+  stopped_.reset();
+  states_.clear();
+  states_.push_back({std::move(first), {}});
+  position_ = 0;
+}
+
+void MeshSession::rebuild() {
+  Submission sources = find_submission(submission_, assignment_.submission);
+  Build built = build_submission(sources, home_, assignment_.limits);
+  ++builds_;
+  files_ = built.files;
+  compiled_ = all_compiled(files_);
+  if (!compiled_ && build_) return;
+  build_.reset();
+  build_.emplace(std::move(built));
+  sources_ = std::move(sources);
+  if (states_.empty()) return;
+  std::vector<ViewOperation> again = operations_;
+  if (stopped_ && position_ == operations_.size()) again.push_back(stopped_->operation);
+  const std::size_t looked_at = std::max<std::size_t>(position_, stopped_ ? again.size() : 0);
+  states_.resize(1);
+  operations_.clear();
+  position_ = 0;
+  extend(again);
+  position_ = std::min(looked_at, operations_.size());
+}
+
+Outcome MeshSession::run(const std::vector<ViewOperation>& operations, std::size_t first_told,
+                         bool with_normals) const {
+  Case asked;
+  asked.exercise = kViewTask;
+  asked.number = 1;
+  asked.step_budget = step_budget(start_, operations);
+  asked.input = to_wire(
+      ViewInput{start_, operations, static_cast<std::uint32_t>(first_told), with_normals});
+  Limits limits = assignment_.limits;
+  limits.case_cpu_ms = std::min(limits.case_cpu_ms, kPatienceMs);
+  limits.case_wall_ms = std::min(limits.case_wall_ms, 2 * kPatienceMs);
+  return run_cases(*build_, {&asked}, limits, Company::kAlone).at(0);
+}
+
+/// Runs these operations after those that are done.
+void MeshSession::extend(const std::vector<ViewOperation>& operations) {
+  stopped_.reset();
+  if (operations.empty()) return;
+  std::vector<ViewOperation> all = operations_;
+  all.insert(all.end(), operations.begin(), operations.end());
+  const Outcome outcome = run(all, operations_.size(), false);
+  try {
+    take_steps(operations, outcome);
+  } catch (const WireError& error) {
+    StoppedStep stop{operations.at(0), {}, std::nullopt};
+    CaseJudgement judgement;
+    judgement.verdict = Verdict::kCrashed;
+    judgement.note = std::string("what it left behind cannot be read: ") + error.what() +
+                     "; does the code write over memory that is not its own?";
+    stop.told = tell(stop.operation, std::move(judgement), outcome);
+    stopped_ = std::move(stop);
+  }
+}
+
+void MeshSession::take_steps(const std::vector<ViewOperation>& operations,
+                             const Outcome& outcome) {
+  if (outcome.steps.size() > operations.size()) throw WireError("too many steps");
+  for (std::size_t i = 0; i < outcome.steps.size(); ++i) {
+    auto step = from_wire<ViewStep>(outcome.steps[i]);
+    CaseJudgement judgement =
+        judge_view_step(assignment_, states_.back().mesh, operations[i], step);
+    CaseReport told = tell(operations[i], std::move(judgement), outcome);
+    operations_.push_back(operations[i]);
+    states_.push_back({std::move(step.after), std::move(told)});
+  }
+  position_ = operations_.size();
+  if (outcome.steps.size() == operations.size()) return;
+  const ViewOperation& stopped_at = operations[outcome.steps.size()];
+  StoppedStep stop{stopped_at, {}, std::nullopt};
+  if (outcome.ending == Ending::kDone) {
+    CaseJudgement gone;
+    gone.verdict = Verdict::kNotJudged;
+    gone.note = edge_name(stopped_at.edge) + " is not there any more";
+    stop.told = tell(stopped_at, std::move(gone), outcome);
+  } else {
+    stop.told = tell(stopped_at, judge_stop(assignment_, start_, stopped_at, outcome), outcome);
+  }
+  if (!outcome.interrupted.empty()) {
+    stop.mesh = from_wire<ViewStep>(outcome.interrupted).after;
+  }
+  stopped_ = std::move(stop);
+}
+
+/// A judgement as a report tells it, with the lines of code.
+CaseReport MeshSession::tell(const ViewOperation& operation, CaseJudgement judgement,
+                             const Outcome& outcome) const {
+  ExerciseRubric rubric;
+  rubric.name = exercise_of(operation.kind);
+  JudgedExercise exercise;
+  exercise.rubric = &rubric;
+  JudgedCase judged;
+  judged.asked.exercise = rubric.name;
+  judged.asked.group = kViewTask;
+  judged.asked.title = operation_text(operation);
+  judged.judgement = std::move(judgement);
+  judged.output = outcome.output;
+  judged.output_bytes = outcome.output_bytes;
+  exercise.cases.push_back(std::move(judged));
+  return make_report(assignment_, *sources_, files_, {exercise}).exercises[0].cases[0];
+}
+
+void MeshSession::apply(const ViewOperation& operation) {
+  if (states_.empty() || !build_) throw UserError("there is no mesh or no program yet");
+  const std::vector<EdgeRecord>& edges = states_[position_].mesh.edges;
+  const bool needs_edge = operation.kind != ViewKind::kSubdivide;
+  if (needs_edge && (operation.edge >= edges.size() || edges[operation.edge].live == 0)) {
+    throw UserError("there is no edge " + edge_name(operation.edge));
+  }
+  operations_.resize(position_);
+  states_.resize(position_ + 1);
+  extend({operation});
+}
+
+void MeshSession::go_to(std::size_t position) {
+  if (position >= states_.size()) throw UserError("there is no such step");
+  position_ = position;
+  stopped_.reset();
+}
+
+MeshSession::Normals MeshSession::normals() const {
+  if (states_.empty() || !build_) throw UserError("there is no mesh or no program yet");
+  const std::vector<ViewOperation> done(operations_.begin(),
+                                        operations_.begin() + static_cast<long>(position_));
+  const Outcome outcome = run(done, done.size(), true);
+  Normals result;
+  const Counts counts = count(states_[position_].mesh);
+  if (outcome.ending == Ending::kDone && outcome.steps.size() == counts.vertices) {
+    for (const std::string& step : outcome.steps)
+      result.normals.push_back(from_wire<Point3>(step));
+    result.told.verdict = Verdict::kPassed;
+    return result;
+  }
+  result.told.verdict = Verdict::kCrashed;
+  result.told.note = "Vertex::normal did not come to its end for every vertex";
+  if (outcome.ending == Ending::kFault) {
+    const meshedit::FaultKind kind{outcome.fault_kind};
+    result.told.note = outcome.subject + " " + meshedit::describe(kind);
+  } else if (outcome.ending == Ending::kOutOfTime) {
+    result.told.note = "Vertex::normal does not come to its end";
+  }
+  return result;
+}
+
+}  // namespace meshgrade

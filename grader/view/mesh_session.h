@@ -1,0 +1,101 @@
+#pragma once
+
+// What the viewer shows of a mesh: a list of operations, and the states that the student's
+// functions made of it.
+//
+// Theory of operation. The worker knows no state: it gets the first mesh and all operations up
+// to the one that is looked at, and runs them again. So a new program after a save shows what
+// it makes of the same operations, and what a crash leaves behind in memory does not matter.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/assignment/assignment.h"
+#include "grader/build/build.h"
+#include "grader/build/home.h"
+#include "grader/report/report.h"
+#include "grader/view/step_judge.h"
+
+namespace meshgrade {
+
+/// The mesh after an operation.
+struct ViewState {
+  MeshDump mesh;
+  CaseReport told;  ///< what the judge says of the step, and what the code printed
+};
+
+/// An operation that did not come to its end.
+struct StoppedStep {
+  ViewOperation operation;
+  CaseReport told;
+  std::optional<MeshDump> mesh;  ///< as it was at that moment, where that is known
+};
+
+class MeshSession {
+ public:
+  /// @throws UserError if there is nothing to compile, or the mesh is no surface
+  MeshSession(const Assignment& assignment, const Home& home, std::filesystem::path submission);
+
+  /// Begins anew with another mesh.
+  /// @throws UserError if half-edges cannot be made of it
+  void open(const std::string& name, const PolygonMesh& mesh);
+
+  /// Compiles the submission again and repeats all operations, also one that was stopped. If a
+  /// file does not compile, the program before goes on, and the messages are kept.
+  void rebuild();
+
+  /// Runs an operation after the state that is looked at; what was undone is forgotten.
+  /// @throws UserError if there is no such edge
+  void apply(const ViewOperation& operation);
+
+  /// Goes to the state after so many operations.
+  /// @throws UserError if there is none
+  void go_to(std::size_t position);
+
+  /// The student's normals of the live vertices of the state that is looked at, or why there
+  /// are none.
+  struct Normals {
+    std::vector<Point3> normals;
+    CaseReport told;
+  };
+  Normals normals() const;
+
+  const std::string& name() const { return name_; }
+  const std::string& submission() const { return submission_name_; }
+  const std::vector<BuiltFile>& files() const { return files_; }
+  bool compiled() const { return compiled_; }
+  std::size_t builds() const { return builds_; }
+  const std::vector<ViewOperation>& operations() const { return operations_; }
+  /// One more than operations that came to their end: the first is the mesh as it was opened.
+  const std::vector<ViewState>& states() const { return states_; }
+  std::size_t position() const { return position_; }
+  const std::optional<StoppedStep>& stopped() const { return stopped_; }
+
+ private:
+  Outcome run(const std::vector<ViewOperation>& operations, std::size_t first_told,
+              bool with_normals) const;
+  void extend(const std::vector<ViewOperation>& operations);
+  void take_steps(const std::vector<ViewOperation>& operations, const Outcome& outcome);
+  CaseReport tell(const ViewOperation& operation, CaseJudgement judgement,
+                  const Outcome& outcome) const;
+
+  const Assignment& assignment_;
+  Home home_;
+  std::filesystem::path submission_;
+  std::string submission_name_;
+  std::optional<Submission> sources_;
+  std::optional<Build> build_;
+  std::vector<BuiltFile> files_;
+  bool compiled_ = false;
+  std::size_t builds_ = 0;
+  std::string name_;
+  PolygonMesh start_;
+  std::vector<ViewOperation> operations_;
+  std::vector<ViewState> states_;
+  std::size_t position_ = 0;
+  std::optional<StoppedStep> stopped_;
+};
+
+}  // namespace meshgrade

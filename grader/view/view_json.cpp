@@ -1,0 +1,85 @@
+#include "grader/view/view_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "grader/report/mesh_json.h"
+#include "grader/report/report_value.h"
+
+namespace meshgrade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json build_value(const MeshSession& session) {
+  Json files = Json::array();
+  for (const BuiltFile& file : session.files()) {
+    files.push_back(
+        {{"name", file.name}, {"compiled", file.ok}, {"messages", file.messages}});
+  }
+  return {{"number", session.builds()},
+          {"compiled", session.compiled()},
+          {"files", std::move(files)}};
+}
+
+Json timeline_value(const MeshSession& session) {
+  Json steps = Json::array();
+  steps.push_back({{"label", "start"}, {"verdict", ""}});
+  for (std::size_t i = 0; i < session.operations().size(); ++i) {
+    steps.push_back({{"label", operation_text(session.operations()[i])},
+                     {"verdict", verdict_name(session.states()[i + 1].told.verdict)}});
+  }
+  return steps;
+}
+
+Json state_value(const MeshSession& session) {
+  const std::size_t position = session.position();
+  const ViewState& state = session.states()[position];
+  Json value{{"mesh", to_json_value(state.mesh)},
+             {"broken", to_json_value(find_broken_rules(state.mesh))}};
+  if (position == 0) return value;
+  const MeshDump& before = session.states()[position - 1].mesh;
+  value["step"] = operation_text(session.operations()[position - 1]);
+  value["told"] = to_json_value(state.told);
+  value["before"] = to_json_value(before);
+  value["changes"] = to_json_value(find_changes(before, state.mesh));
+  if (!state.told.scene.empty()) value["expected"] = to_json_value(state.told.scene.expected);
+  return value;
+}
+
+}  // namespace
+
+Json to_json_value(const MeshSession& session) {
+  Json value{{"submission", session.submission()},
+             {"mesh", session.name()},
+             {"build", build_value(session)},
+             {"timeline", timeline_value(session)},
+             {"position", session.position()},
+             {"state", state_value(session)}};
+  if (session.stopped()) {
+    const StoppedStep& stop = *session.stopped();
+    Json stopped{{"step", operation_text(stop.operation)}, {"told", to_json_value(stop.told)}};
+    if (stop.mesh) {
+      stopped["mesh"] = to_json_value(*stop.mesh);
+      stopped["broken"] = to_json_value(find_broken_rules(*stop.mesh));
+      stopped["changes"] =
+          to_json_value(find_changes(session.states()[session.position()].mesh, *stop.mesh));
+    }
+    value["stopped"] = std::move(stopped);
+  }
+  return value;
+}
+
+Json to_json_value(const MeshSession::Normals& normals, const MeshDump& mesh) {
+  if (normals.normals.empty()) return {{"error", normals.told.note}};
+  Json list = Json::array();
+  std::size_t next = 0;
+  for (const VertexRecord& v : mesh.vertices) {
+    const bool live = v.live != 0 && next < normals.normals.size();
+    const Point3 normal = live ? normals.normals[next++] : Point3{0, 0, 0};
+    for (const double x : normal)
+      list.push_back(x);
+  }
+  return {{"normals", std::move(list)}};
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "grader/view/mesh_session.h"
+
+namespace meshgrade {
+
+/// What the page shows of a session: `submission`, `mesh`, `build`, `timeline`, `position`, the
+/// `state` that is looked at with the mesh `before` and, if it is wrong, `expected`, and what
+/// `stopped`. docs/viewer.md explains the keys.
+nlohmann::ordered_json to_json_value(const MeshSession& session);
+
+/// `normals`: x, y and z for each vertex, null where it is none, or why there are none, `error`.
+nlohmann::ordered_json to_json_value(const MeshSession::Normals& normals,
+                                     const MeshDump& mesh);
+
+}  // namespace meshgrade

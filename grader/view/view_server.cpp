@@ -1,0 +1,256 @@
+#include "grader/view/view_server.h"
+
+#include <httplib.h>
+#include <sys/random.h>
+
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "grader/base/errors.h"
+#include "grader/base/process.h"
+#include "grader/files/mesh_file.h"
+#include "grader/report/html_report.h"
+#include "grader/view/view_json.h"
+
+namespace meshgrade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostUploaded = 64U << 20U;
+constexpr auto kHeartbeat = std::chrono::seconds(5);
+
+std::string random_token() {
+  unsigned char bytes[16];
+  if (::getrandom(bytes, sizeof bytes, 0) != sizeof bytes) {
+    throw GraderError("the system gives no random numbers");
+  }
+  std::string token;
+  for (const unsigned char b : bytes) {
+    token += "0123456789abcdef"[b >> 4U];
+    token += "0123456789abcdef"[b & 15U];
+  }
+  return token;
+}
+
+/// Takes as long whatever differs.
+bool same_token(const std::string& a, const std::string& b) {
+  if (a.size() != b.size()) return false;
+  unsigned difference = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    difference |= static_cast<unsigned>(a[i] ^ b[i]);
+  return difference == 0;
+}
+
+ViewOperation operation_of(const Json& request) {
+  const std::string kind = request.at("kind");
+  if (kind == "subdivide") return {ViewKind::kSubdivide, kUnsetRef};
+  const Ref edge = request.at("edge");
+  if (kind == "flip") return {ViewKind::kFlip, edge};
+  if (kind == "split") return {ViewKind::kSplit, edge};
+  throw UserError("there is no operation " + kind);
+}
+
+/// A mesh that the page has sent, read like any file of its name.
+PolygonMesh read_sent(const std::string& name, const std::string& bytes) {
+  const ScratchFolder folder;
+  const std::string extension = std::filesystem::path(name).extension().string();
+  if (extension.size() > 8 || extension.find('/') != std::string::npos) {
+    throw UserError(name + ": not a mesh file");
+  }
+  const std::filesystem::path file = folder.path() / ("mesh" + extension);
+  std::ofstream(file, std::ios::binary) << bytes;
+  return read_mesh(file).mesh;
+}
+
+}  // namespace
+
+class ViewServer::Impl {
+ public:
+  Impl(MeshSession& session, std::string page)
+      : session_(session), page_(std::move(page)), token_(random_token()) {
+    server_.set_payload_max_length(kMostUploaded);
+    server_.set_keep_alive_max_count(1000);
+    server_.set_pre_routing_handler(
+        [this](const httplib::Request& request, httplib::Response& response) {
+          return may_come_in(request, response) ? httplib::Server::HandlerResponse::Unhandled
+                                                : httplib::Server::HandlerResponse::Handled;
+        });
+    add_routes();
+  }
+
+  void bind(int port) {
+    port_ = port == 0 ? server_.bind_to_any_port("127.0.0.1")
+                      : (server_.bind_to_port("127.0.0.1", port) ? port : -1);
+    if (port_ < 0) {
+      throw UserError("port " + std::to_string(port) + " is taken: choose another by --port");
+    }
+  }
+
+  std::string address() const {
+    return "http://127.0.0.1:" + std::to_string(port_) + "/?token=" + token_;
+  }
+
+  void serve() { server_.listen_after_bind(); }
+
+  void stop() {
+    {
+      const std::lock_guard<std::mutex> lock(news_mutex_);
+      stopped_ = true;
+    }
+    news_.notify_all();
+    server_.stop();
+  }
+
+  void change(const std::function<void(MeshSession&)>& how) {
+    {
+      const std::lock_guard<std::mutex> lock(session_mutex_);
+      how(session_);
+    }
+    {
+      const std::lock_guard<std::mutex> lock(news_mutex_);
+      ++version_;
+    }
+    news_.notify_all();
+  }
+
+ private:
+  static void refuse(httplib::Response& response, const char* why) {
+    response.status = 403;
+    response.set_content(why, "text/plain");
+  }
+
+  /// Another page that the user has open must not talk to this server, also not by a name of
+  /// its own that leads to 127.0.0.1.
+  bool may_come_in(const httplib::Request& request, httplib::Response& response) const {
+    const std::string port = ":" + std::to_string(port_);
+    const std::string host = request.get_header_value("Host");
+    response.set_header("Cache-Control", "no-store");
+    response.set_header("X-Content-Type-Options", "nosniff");
+    if (host != "127.0.0.1" + port && host != "localhost" + port) {
+      refuse(response, "This server answers to 127.0.0.1 only.\n");
+      return false;
+    }
+    const std::string origin = request.get_header_value("Origin");
+    if (!origin.empty() && origin != "http://" + host) {
+      refuse(response, "Other pages may not use this server.\n");
+      return false;
+    }
+    std::string token = request.get_header_value("X-Meshgrade-Token");
+    if (token.empty()) token = request.get_param_value("token");
+    if (!same_token(token, token_)) {
+      refuse(response, "Open the address that meshgrade view has printed.\n");
+      return false;
+    }
+    return true;
+  }
+
+  void add_routes() {
+    server_.Get("/", [this](const httplib::Request&, httplib::Response& response) {
+      const Json data{{"kind", "live"}, {"token", token_}};
+      response.set_content(fill_page(page_, data, PageAccess::kOwnServer),
+                           "text/html; charset=utf-8");
+    });
+    add_action("/state", [](MeshSession&, const Json&) {});
+    add_action("/step", [](MeshSession& session, const Json& request) {
+      session.apply(operation_of(request));
+    });
+    add_action("/go", [](MeshSession& session, const Json& request) {
+      session.go_to(request.at("position"));
+    });
+    add_action("/open", [](MeshSession& session, const Json& request) {
+      const std::string name = request.at("name");
+      const auto bytes = request.at("bytes").get<std::vector<std::uint8_t>>();
+      session.open(name, read_sent(name, {bytes.begin(), bytes.end()}));
+    });
+    server_.Post("/normals", [this](const httplib::Request&, httplib::Response& response) {
+      const std::lock_guard<std::mutex> lock(session_mutex_);
+      const Json value = to_json_value(session_.normals(),
+                                       session_.states()[session_.position()].mesh);
+      answer(response, value);
+    });
+    server_.Get("/events", [this](const httplib::Request&, httplib::Response& response) {
+      response.set_chunked_content_provider(
+          "text/event-stream",
+          [this, seen = version_now()](std::size_t, httplib::DataSink& sink) mutable {
+            return send_news(seen, sink);
+          });
+    });
+  }
+
+  /// Changes the session, or not, and answers with what is to be shown now.
+  void add_action(const std::string& path,
+                  std::function<void(MeshSession&, const Json&)> action) {
+    server_.Post(path, [this, action](const httplib::Request& request,
+                                      httplib::Response& response) {
+      const std::lock_guard<std::mutex> lock(session_mutex_);
+      try {
+        action(session_, request.body.empty() ? Json::object() : Json::parse(request.body));
+        answer(response, to_json_value(session_));
+      } catch (const UserError& error) {
+        response.status = 422;
+        answer(response, {{"error", error.what()}});
+      } catch (const Json::exception& error) {
+        response.status = 400;
+        answer(response, {{"error", error.what()}});
+      }
+    });
+  }
+
+  static void answer(httplib::Response& response, const Json& value) {
+    response.set_content(value.dump(-1, ' ', false, Json::error_handler_t::replace),
+                         "application/json");
+  }
+
+  std::size_t version_now() {
+    const std::lock_guard<std::mutex> lock(news_mutex_);
+    return version_;
+  }
+
+  /// Waits for the next change, or says from time to time that it is still there.
+  bool send_news(std::size_t& seen, httplib::DataSink& sink) {
+    std::unique_lock<std::mutex> lock(news_mutex_);
+    news_.wait_for(lock, kHeartbeat, [&] { return stopped_ || version_ != seen; });
+    if (stopped_) return false;
+    const std::string line = version_ != seen ? "data: changed\n\n" : ": still here\n\n";
+    seen = version_;
+    lock.unlock();
+    return sink.write(line.data(), line.size());
+  }
+
+  MeshSession& session_;
+  std::string page_;
+  std::string token_;
+  int port_ = 0;
+  httplib::Server server_;
+  std::mutex session_mutex_;
+  std::mutex news_mutex_;
+  std::condition_variable news_;
+  std::size_t version_ = 0;
+  bool stopped_ = false;
+};
+
+ViewServer::ViewServer(MeshSession& session, std::string page)
+    : impl_(std::make_unique<Impl>(session, std::move(page))) {}
+ViewServer::~ViewServer() = default;
+
+void ViewServer::bind(int port) {
+  impl_->bind(port);
+}
+std::string ViewServer::address() const {
+  return impl_->address();
+}
+void ViewServer::serve() {
+  impl_->serve();
+}
+void ViewServer::stop() {
+  impl_->stop();
+}
+void ViewServer::change(const std::function<void(MeshSession&)>& how) {
+  impl_->change(how);
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,69 @@
+// Talks to the program that serves this page.
+
+import type { MeshJson } from '../model/mesh';
+import type { Case, PointerChange, RuleBreak } from '../model/types';
+
+export interface LiveState {
+  submission: string;
+  mesh: string;
+  build: { number: number; compiled: boolean; files: { name: string; compiled: boolean; messages: string }[] };
+  timeline: { label: string; verdict: string }[];
+  position: number;
+  state: {
+    mesh: MeshJson;
+    broken: RuleBreak[];
+    step?: string;
+    told?: Case;
+    before?: MeshJson;
+    expected?: MeshJson;
+    changes?: PointerChange[];
+  };
+  stopped?: {
+    step: string;
+    told: Case;
+    mesh?: MeshJson;
+    broken?: RuleBreak[];
+    changes?: PointerChange[];
+  };
+}
+
+export type StepKind = 'flip' | 'split' | 'subdivide';
+
+export class Connection {
+  constructor(private readonly token: string) {}
+
+  /** @throws Error with a text for people if the server says no, or is not there */
+  private async post<T>(path: string, body: unknown): Promise<T> {
+    let response: Response;
+    try {
+      response = await fetch(path, {
+        method: 'POST',
+        headers: { 'X-Meshgrade-Token': this.token, 'Content-Type': 'application/json' },
+        body: JSON.stringify(body),
+      });
+    } catch {
+      throw new Error('meshgrade view does not answer: is it still running?');
+    }
+    const text = await response.text();
+    if (!response.ok && !text.startsWith('{')) throw new Error(text || `error ${response.status}`);
+    const value = JSON.parse(text) as T & { error?: string };
+    if (!response.ok) throw new Error(value.error ?? `error ${response.status}`);
+    return value;
+  }
+
+  look = (): Promise<LiveState> => this.post('/state', {});
+  step = (kind: StepKind, edge: number | null): Promise<LiveState> =>
+    this.post('/step', edge === null ? { kind } : { kind, edge });
+  goTo = (position: number): Promise<LiveState> => this.post('/go', { position });
+  open = (name: string, bytes: Uint8Array): Promise<LiveState> =>
+    this.post('/open', { name, bytes: [...bytes] });
+  normals = (): Promise<{ normals?: (number | null)[]; error?: string }> => this.post('/normals', {});
+
+  /** Calls back whenever the source was built again, and when the server comes or goes. */
+  listen(onChange: () => void, onAlive: (alive: boolean) => void): void {
+    const events = new EventSource(`/events?token=${this.token}`);
+    events.onmessage = onChange;
+    events.onopen = () => onAlive(true);
+    events.onerror = () => onAlive(false);
+  }
+}

@@ -1,0 +1,287 @@
+// The live viewer: every step is done by the student's own functions, on the server.
+
+import { button, el, replace, type Child } from '../dom';
+import { saveFile, toGlb, toObj } from '../model/export';
+import { Mesh } from '../model/mesh';
+import { findingBlock, pointerTables } from '../panels/case_card';
+import { MeshPanel, type MeshState } from '../panels/mesh_panel';
+import { toneOf, verdictTag } from '../panels/verdict';
+import { Connection, type LiveState, type StepKind } from './connection';
+
+const PLAIN = { broken: [], changes: [], wrong: [] };
+
+function statesOf(live: LiveState): { states: MeshState[]; current: number } {
+  const { state, stopped } = live;
+  const wrong = state.told?.findings.find((f) => f.pointers)?.pointers?.wrong ?? [];
+  const states: MeshState[] = [];
+  if (state.before) states.push({ label: 'Before', mesh: new Mesh(state.before), ...PLAIN });
+  const current = states.length;
+  states.push({
+    label: state.step ? `After ${state.step}` : 'Start',
+    mesh: new Mesh(state.mesh),
+    broken: state.broken,
+    changes: state.changes ?? [],
+    wrong,
+  });
+  if (state.expected) states.push({ label: 'Expected', mesh: new Mesh(state.expected), ...PLAIN });
+  if (stopped?.mesh) {
+    states.push({ label: 'When it stopped', mesh: new Mesh(stopped.mesh),
+      broken: stopped.broken ?? [], changes: stopped.changes ?? [], wrong: [] });
+  }
+  return { states, current };
+}
+
+export class LivePage {
+  private readonly panel = new MeshPanel(true);
+  private readonly timeline = el('ol', { class: 'timeline', 'aria-label': 'Steps' });
+  private readonly title = el('div', { class: 'live-title' });
+  private readonly build = el('span', { class: 'build', role: 'status' });
+  private readonly banner = el('div', { class: 'banner', role: 'alert' });
+  private readonly told = el('div', { class: 'told' });
+  private live: LiveState | null = null;
+  private normals: Float32Array | null = null;
+  private busy = false;
+  private lookAgain = false;
+
+  constructor(app: HTMLElement, private readonly connection: Connection) {
+    this.panel.top.append(this.banner, this.told);
+    const head = el('header', { class: 'live-head' },
+      el('strong', { class: 'brand' }, 'Meshgrade'), this.title, this.build, this.fileTools());
+    replace(app, el('main', { class: 'live' }, head, this.panel.element,
+      el('footer', { class: 'live-foot' }, this.timeline, this.actions())));
+    document.addEventListener('keydown', (event) => this.onKey(event));
+    connection.listen(() => void this.reload(), (alive) => this.showAlive(alive));
+    void this.run(connection.look, true);
+  }
+
+  private fileTools(): HTMLElement {
+    const input = el('input', { type: 'file', class: 'unseen', tabindex: -1, 'aria-hidden': 'true',
+      accept: '.obj,.off,.ply,.stl,.gltf,.glb,.dae' });
+    input.addEventListener('change', () => {
+      const file = input.files?.[0];
+      if (!file) return;
+      void file.arrayBuffer().then((buffer) =>
+        this.run(() => this.connection.open(file.name, new Uint8Array(buffer)), true));
+      input.value = '';
+    });
+    const stem = (): string => (this.live?.mesh ?? 'mesh').replace(/\.[^.]*$/, '');
+    const mesh = (): Mesh | undefined => this.panel.state()?.mesh;
+    return el('span', { class: 'file-tools' },
+      button('Open mesh', () => input.click()), input,
+      button('Save OBJ', () => mesh() && saveFile(`${stem()}.obj`, toObj(mesh()!))),
+      button('Save GLB', () => mesh() && saveFile(`${stem()}.glb`, toGlb(mesh()!))));
+  }
+
+  private actions(): HTMLElement {
+    const action = (text: string, key: string, act: () => void): HTMLButtonElement => {
+      const made = button(text, act, { 'aria-keyshortcuts': key });
+      made.append(' ', el('kbd', {}, key));
+      return made;
+    };
+    const smooth = action('Smooth', 'Q', () => void this.toggleSmooth());
+    smooth.dataset['option'] = 'smooth';
+    smooth.setAttribute('aria-pressed', 'false');
+    return el('div', { class: 'actions', role: 'group', 'aria-label': 'Operations' },
+      action('Flip', 'F', () => this.step('flip')),
+      action('Split', 'S', () => this.step('split')),
+      action('Subdivide', 'U', () => this.step('subdivide')),
+      action('Undo', 'Z', () => this.move(-1)),
+      action('Redo', 'Y', () => this.move(1)),
+      action('Next', 'N', () => this.panel.follow('next')),
+      action('Twin', 'T', () => this.panel.follow('twin')),
+      action('Half-edge', 'H', () => this.panel.follow('halfedge')),
+      smooth);
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (target.closest('input, select, textarea')) return;
+    const acts: Record<string, () => void> = {
+      f: () => this.step('flip'),
+      s: () => this.step('split'),
+      u: () => this.step('subdivide'),
+      l: () => this.step('subdivide'),
+      z: () => this.move(event.shiftKey ? 1 : -1),
+      y: () => this.move(1),
+      q: () => void this.toggleSmooth(),
+    };
+    const act = acts[event.key.toLowerCase()];
+    if (act) act();
+    else if (!this.panel.handleKey(event.key, event.shiftKey, target === document.body)) return;
+    event.preventDefault();
+  }
+
+  private step(kind: StepKind): void {
+    let edge: number | null = null;
+    if (kind !== 'subdivide') {
+      edge = this.selectedEdge();
+      if (edge === null) {
+        this.panel.say(`Select an edge or a half-edge to ${kind}.`);
+        return;
+      }
+    }
+    void this.run(() => this.connection.step(kind, edge), false);
+  }
+
+  private selectedEdge(): number | null {
+    const { selected } = this.panel;
+    const mesh = this.live && this.panel.states[this.panelCurrent()]?.mesh;
+    if (!selected || !mesh) return null;
+    if (selected.kind === 'e') return selected.index;
+    const edge = selected.kind === 'h' ? mesh.edge(selected.index) : -1;
+    return edge >= 0 ? edge : null;
+  }
+
+  private panelCurrent(): number {
+    return this.live?.state.before ? 1 : 0;
+  }
+
+  private move(by: number): void {
+    const position = (this.live?.position ?? 0) + by;
+    if (!this.live || position < 0 || position >= this.live.timeline.length) return;
+    void this.run(() => this.connection.goTo(position), false);
+  }
+
+  private async reload(): Promise<void> {
+    const before = this.live?.build.number;
+    await this.run(this.connection.look, false);
+    if (this.live && this.live.build.number !== before) this.panel.say('Built again, and every step repeated.');
+  }
+
+  /** One request at a time: a key that is held down must not pile them up. */
+  private async run(ask: () => Promise<LiveState>, fit: boolean): Promise<void> {
+    if (this.busy) {
+      this.lookAgain ||= ask === this.connection.look;
+      return;
+    }
+    this.busy = true;
+    document.body.classList.add('busy');
+    try {
+      this.live = await ask();
+      this.normals = null;
+      this.draw(fit);
+      if (this.panel.view?.options.smooth) await this.fetchNormals();
+    } catch (error) {
+      this.panel.say((error as Error).message);
+    } finally {
+      this.busy = false;
+      document.body.classList.remove('busy');
+    }
+    if (!this.lookAgain) return;
+    this.lookAgain = false;
+    await this.reload();
+  }
+
+  private async toggleSmooth(): Promise<void> {
+    const view = this.panel.view;
+    if (!view) return;
+    const on = !view.options.smooth;
+    view.options.smooth = on;
+    view.options.normalLines = on;
+    document.querySelector('[data-option=smooth]')?.setAttribute('aria-pressed', String(on));
+    if (on && !this.normals) await this.fetchNormals();
+    else view.setNormals(this.normals);
+  }
+
+  private async fetchNormals(): Promise<void> {
+    try {
+      const { normals, error } = await this.connection.normals();
+      this.normals = normals ? Float32Array.from(normals.map((x) => x ?? NaN)) : null;
+      if (error) this.panel.say(`Your normals: ${error}`);
+    } catch (error) {
+      this.panel.say((error as Error).message);
+    }
+    this.panel.view?.setNormals(this.normals);
+  }
+
+  private showAlive(alive: boolean): void {
+    document.body.classList.toggle('cut-off', !alive);
+    if (!alive) this.build.textContent = '✗ meshgrade view does not answer';
+    else if (this.live) this.drawBuild(this.live);
+  }
+
+  private draw(fit: boolean): void {
+    const live = this.live!;
+    document.title = `${live.mesh} – Meshgrade`;
+    const level = live.timeline.slice(0, live.position + 1).filter((s) => s.label === 'subdivide').length;
+    replace(this.title, el('span', {}, live.mesh),
+      el('span', { class: 'quiet' }, ` with ${live.submission}${level > 0 ? `, level ${level}` : ''}`));
+    this.drawBuild(live);
+    this.drawTimeline(live);
+    replace(this.banner, ...stoppedBanner(live));
+    replace(this.told, ...toldOf(live));
+    const { states, current } = statesOf(live);
+    this.panel.show(states, current, fit);
+  }
+
+  private drawBuild(live: LiveState): void {
+    const bad = live.build.files.filter((f) => !f.compiled);
+    replace(this.build, bad.length === 0 && live.build.compiled
+      ? el('span', { class: 'tag good' }, '✓ compiled')
+      : el('span', { class: 'tag bad' }, '✗ does not compile'));
+  }
+
+  private drawTimeline(live: LiveState): void {
+    const items = live.timeline.map((entry, i) => {
+      const { sign, tone } = toneOf(entry.verdict);
+      const item = button(entry.label, () => void this.run(() => this.connection.goTo(i), false), {
+        class: i > live.position ? 'undone' : undefined,
+        'aria-current': i === live.position ? 'step' : undefined,
+      });
+      if (entry.verdict !== '') item.prepend(el('span', { class: `sign ${tone}`, title: entry.verdict }, `${sign} `));
+      return el('li', {}, item);
+    });
+    if (live.stopped) {
+      items.push(el('li', {}, el('span', { class: 'stopped-step' }, `✗ ${live.stopped.step}`)));
+    }
+    replace(this.timeline, ...items);
+    this.timeline.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  }
+}
+
+function stoppedBanner(live: LiveState): Child[] {
+  const parts: Child[] = [];
+  const failed = live.build.files.filter((f) => !f.compiled);
+  if (failed.length > 0) {
+    parts.push(el('div', { class: 'stop' }, el('h4', {}, '✗ Does not compile'),
+      el('p', {}, 'The program before goes on where there is one.'),
+      ...failed.map((f) => el('pre', { tabindex: 0 }, `${f.name}\n${f.messages}`))));
+  }
+  const { stopped } = live;
+  if (stopped) {
+    parts.push(el('div', { class: 'stop' },
+      el('h4', {}, verdictTag(stopped.told.verdict), ` ${stopped.step}`),
+      stopped.told.note !== '' && el('p', {}, stopped.told.note),
+      ...stopped.told.findings.map((f) => findingBlock(f, true)),
+      output(stopped.told.output),
+      el('p', { class: 'quiet' }, 'The mesh before is kept. Save a change, and this step is tried again.')));
+  }
+  return parts;
+}
+
+function output(text: string): Child {
+  if (text === '') return null;
+  return el('details', {}, el('summary', {}, 'What the code printed'), el('pre', { tabindex: 0 }, text));
+}
+
+function toldOf(live: LiveState): Child[] {
+  const { told, step } = live.state;
+  if (!told || live.stopped) return [];
+  const [first, ...others] = told.findings;
+  const pointers = told.findings.find((f) => f.pointers)?.pointers;
+  return [
+    el('h4', {}, verdictTag(told.verdict), ` ${step ?? ''}`),
+    told.note !== '' && el('p', { class: 'note' }, told.note),
+    first && findingBlock(first, true),
+    pointers && foldedTables(pointerTables(pointers)),
+    others.length > 0 && el('details', {}, el('summary', {}, `${others.length} more findings`),
+      ...others.map((f) => findingBlock(f, false))),
+    output(told.output),
+  ];
+}
+
+function foldedTables(tables: HTMLElement): HTMLElement {
+  tables.removeAttribute('open');
+  return tables;
+}
