@@ -32,6 +32,8 @@ export interface ViewOptions {
   normalLines: boolean;
 }
 
+/** More arcs and callouts than this hide the mesh; the lists beside it name all. */
+const MOST_CALLOUTS = 8;
 const MOST_ARROWS = 3000;
 const MOST_LABELS = 400;
 const HEAVY_TRIANGLES = 20000;
@@ -162,7 +164,7 @@ export class MeshView {
     if (!place) return;
     const outward = length(place.normal) > 0 ? place.normal : unit(sub(place.centre, this.ball.centre));
     const tilted = unit(add(outward, scale([0.25, 0.35, 0.2], 0.8)));
-    this.lookFrom(tilted, mix(this.ball.centre, place.centre, 0.5), this.ball.radius * 2.6);
+    this.lookFrom(tilted, mix(this.ball.centre, place.centre, 0.3), this.ball.radius * 3.1);
   }
 
   orbit(right: number, up: number): void {
@@ -322,7 +324,7 @@ export class MeshView {
       const own = walk.halfedges.filter((h) => sameElement(this.mesh!.face(h), walk.face));
       own.forEach((h) => rim.add(h));
       const plane = this.maker!.plane(walk.face);
-      if (!plane) continue;
+      if (!plane || this.labels.length >= MOST_CALLOUTS) continue;
       const text = `${nameOf(walk.face)} is open`;
       this.labels.push({ text, at: plane.centre, normal: [0, 0, 0], style: 'wrong' });
     }
@@ -411,7 +413,7 @@ export class MeshView {
 
   /** A wrong pointer is an arc from its element to where it really leads. */
   private addArcs(): void {
-    for (const arc of this.marks.arcs) {
+    for (const arc of this.marks.arcs.slice(0, MOST_CALLOUTS)) {
       const from = placeOf(this.mesh!, this.maker!, arc.element);
       if (!from) continue;
       if (arc.element.kind === 'h') {
@@ -462,6 +464,8 @@ export class MeshView {
   private addLabels(): void {
     const mesh = this.mesh!;
     if (!this.options.ids || mesh.halfedgeCount > MOST_LABELS) return;
+    // The back of a surface with a boundary can be seen, so nothing of it is hidden.
+    const open = mesh.countLive('b') > 0;
     const ids: Label[] = [];
     for (const kind of ['f', 'h', 'v'] as const) {
       for (let index = 0; index < mesh.size(kind); ++index) {
@@ -469,7 +473,7 @@ export class MeshView {
         if (!mesh.isLive(element) || sameElement(element, this.selected)) continue;
         const place = placeOf(mesh, this.maker!, element);
         if (!place) continue;
-        const normal = kind === 'v' ? this.vertexNormal(place.centre) : place.normal;
+        const normal: Vec = open ? [0, 0, 0] : kind === 'v' ? this.outward(place.centre) : place.normal;
         const style = kind === 'v' ? 'vertex' : kind === 'h' ? 'halfedge' : 'face';
         ids.push({ text: nameOf(element), at: place.centre, normal, style });
       }
@@ -478,7 +482,7 @@ export class MeshView {
   }
 
   /** Good enough to hide the labels of vertices on the far side. */
-  private vertexNormal(at: Vec): Vec {
+  private outward(at: Vec): Vec {
     const outward = sub(at, this.ball.centre);
     return dot(outward, outward) > 0 ? outward : [0, 0, 0];
   }

@@ -78,7 +78,7 @@ export interface Plane {
 export function planeOf(mesh: Mesh, walk: FaceWalk): Plane | null {
   const points = walk.halfedges.map((h) => mesh.position(mesh.vertex(h)));
   const last = walk.halfedges.at(-1);
-  if (!walk.closed && last !== undefined && mesh.end(last) >= 0) {
+  if (!walk.closed && points.length < 3 && last !== undefined && mesh.end(last) >= 0) {
     points.push(mesh.position(mesh.end(last)));
   }
   if (points.length < 3) return null;
@@ -106,7 +106,24 @@ export class ArrowMaker {
   private readonly planes = new Map<number, Plane | null>();
 
   constructor(private readonly mesh: Mesh) {
-    for (const walk of mesh.faces()) this.planes.set(walk.face.index, planeOf(mesh, walk));
+    const own = this.halfedgesByFace();
+    for (const walk of mesh.faces()) {
+      const around = walk.closed ? walk : { ...walk, halfedges: own.get(walk.face.index) ?? [] };
+      this.planes.set(walk.face.index, planeOf(mesh, around) ?? planeOf(mesh, walk));
+    }
+  }
+
+  /** The half-edges that say they lie in a face that does not close. */
+  private halfedgesByFace(): Map<number, number[]> {
+    const { mesh } = this;
+    const own = new Map<number, number[]>();
+    for (const walk of mesh.faces()) if (!walk.closed) own.set(walk.face.index, []);
+    if (own.size === 0) return own;
+    for (let h = 0; h < mesh.halfedgeCount; ++h) {
+      const face = mesh.isLive({ kind: 'h', index: h }) ? mesh.face(h) : null;
+      if (face?.kind === 'f' && mesh.vertex(h) >= 0) own.get(face.index)?.push(h);
+    }
+    return own;
   }
 
   plane(face: Element | null): Plane | null {
