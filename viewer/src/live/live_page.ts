@@ -34,7 +34,7 @@ function statesOf(live: LiveState): { states: MeshState[]; current: number } {
 export class LivePage {
   private readonly panel = new MeshPanel(true);
   private readonly timeline = el('ol', { class: 'timeline', 'aria-label': 'Steps' });
-  private readonly title = el('div', { class: 'live-title' });
+  private readonly title = el('h1', { class: 'live-title' });
   private readonly build = el('span', { class: 'build', role: 'status' });
   private readonly banner = el('div', { class: 'banner', role: 'alert' });
   private readonly told = el('div', { class: 'told' });

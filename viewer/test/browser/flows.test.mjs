@@ -1,0 +1,260 @@
+// Drives the page in a real browser: reports from files, and the live viewer with right and
+// wrong solutions. Needs a built grader; MESHGRADE_PROGRAM and MESHGRADE_SOURCE name it.
+import assert from 'node:assert/strict';
+import { spawn, spawnSync } from 'node:child_process';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import http from 'node:http';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { openBrowser } from './browser.mjs';
+
+const program = process.env.MESHGRADE_PROGRAM;
+const source = process.env.MESHGRADE_SOURCE;
+assert.ok(program && source, 'MESHGRADE_PROGRAM and MESHGRADE_SOURCE must be set');
+const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const pictures = process.env.MESHGRADE_PICTURES;
+
+let browser;
+const scratch = mkdtempSync(join(tmpdir(), 'meshgrade-flows-'));
+before(async () => {
+  browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
+});
+const running = new Set();
+after(async () => {
+  await browser?.close();
+  for (const child of running) child.kill('SIGINT');
+  rmSync(scratch, { recursive: true, force: true });
+});
+
+/** The reference, with files of a wrong submission over it. */
+function homework(name, ...wrong) {
+  const folder = join(scratch, name);
+  cpSync(join(source, 'reference'), folder, { recursive: true });
+  for (const other of wrong) {
+    cpSync(join(source, 'tests/submissions/wrong', other), folder, {
+      recursive: true,
+      filter: (file) => !file.endsWith('.toml'),
+    });
+  }
+  return folder;
+}
+
+/** A page that fails the test when its script does, or when it asks for anything outside. */
+async function openPage(url, problems) {
+  const page = await browser.context.newPage();
+  page.on('pageerror', (error) => problems.push(error.message));
+  page.on('console', (message) => {
+    if (message.type() === 'error') problems.push(message.text());
+  });
+  const origin = new URL(url).origin;
+  page.on('request', (request) => {
+    const other = new URL(request.url());
+    if (other.protocol !== 'blob:' && other.protocol !== 'data:' && other.origin !== origin) {
+      problems.push(`asks for ${request.url()}`);
+    }
+  });
+  await page.goto(url);
+  return page;
+}
+
+async function accessibilityProblems(page) {
+  await page.evaluate((text) => new Function(text)(), axeSource).catch(async () => {
+    // The page's policy allows no other script: the check comes in beside it.
+    const session = await page.context().newCDPSession(page);
+    await session.send('Page.setBypassCSP', { enabled: true });
+    await session.send('Runtime.evaluate', { expression: axeSource });
+  });
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  return violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(' ')).slice(0, 4).join(', ')}`);
+}
+
+async function snap(page, name) {
+  if (pictures) await page.screenshot({ path: join(pictures, `${name}.png`) });
+}
+
+class Viewer {
+  static async start(folder, mesh = 'cube.obj') {
+    const viewer = new Viewer();
+    viewer.child = spawn(program, ['view', join(source, 'meshes', mesh), '--submission', folder]);
+    running.add(viewer.child);
+    let printed = '';
+    viewer.url = await new Promise((resolve, reject) => {
+      viewer.child.stdout.on('data', (data) => {
+        printed += data;
+        const found = /http:\S+/.exec(printed);
+        if (found) resolve(found[0]);
+      });
+      viewer.child.stderr.on('data', (data) => (printed += data));
+      viewer.child.on('exit', () => reject(new Error(printed)));
+    });
+    viewer.problems = [];
+    viewer.page = await openPage(viewer.url, viewer.problems);
+    await viewer.steps(1);
+    return viewer;
+  }
+
+  async select(name) {
+    await this.page.fill('.finder input', name);
+    await this.page.keyboard.press('Enter');
+    await this.page.evaluate(() => document.activeElement.blur());
+    await this.page.getByText(`${name} selected`).waitFor();
+  }
+
+  /** Waits until the timeline has so many entries and nothing is under way. */
+  async steps(count, timeout = 60000) {
+    await this.page.waitForFunction(
+      (n) => document.querySelectorAll('.timeline li').length === n && !document.body.classList.contains('busy'),
+      count, { timeout });
+  }
+
+  async counts() {
+    return this.page.getAttribute('.stage canvas', 'aria-label');
+  }
+
+  async stop() {
+    await this.page.close();
+    const ended = new Promise((resolve) => this.child.on('exit', resolve));
+    running.delete(this.child);
+    this.child.kill('SIGINT');
+    assert.equal(await ended, 0);
+    assert.deepEqual(this.problems, []);
+  }
+}
+
+test('A report opens from a file, shows the first failure and asks for nothing', async () => {
+  const html = join(scratch, 'report.html');
+  const folder = homework('reported', 'edge_split/next_forgotten');
+  const run = spawnSync(program, ['check', folder, 'edge_split', '--html', html], { encoding: 'utf8' });
+  assert.equal(run.status, 1, run.stderr);
+  const problems = [];
+  const page = await openPage(`file://${html}`, problems);
+  await page.getByRole('heading', { name: 'Edge split' }).waitFor();
+  await page.getByText('h0.next is still h1 (ab)').first().waitFor();
+  assert.ok((await page.locator('.pointer-table td.wrong').count()) >= 2);
+  await page.locator('.show-3d').first().click();
+  await page.locator('.mesh-panel .stage canvas').first().waitFor();
+  assert.match(await page.getAttribute('.stage canvas', 'aria-label'), /Open faces: f2, f3/);
+  await page.getByRole('button', { name: 'Expected', exact: true }).click();
+  assert.match(await page.getAttribute('.stage canvas', 'aria-label'), /Mesh Expected: 5 vertices/);
+  assert.deepEqual(await accessibilityProblems(page), []);
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test('Markup in names and output comes out as text', async () => {
+  const folder = homework('<img src=x onerror=alert(1)>');
+  const file = join(folder, 'edge_flip.cpp');
+  writeFileSync(file, readFileSync(file, 'utf8').replace(
+    /(EdgeIter HalfedgeMesh::flipEdge\(EdgeIter e0\) \{)/,
+    '$1 std::puts("</script><script>alert(2)</script><b>bold</b>");').replace(/^/, '#include <cstdio>\n'));
+  const html = join(scratch, 'hostile.html');
+  spawnSync(program, ['check', folder, 'edge_flip', '--html', html]);
+  const problems = [];
+  const page = await openPage(`file://${html}`, problems);
+  page.on('dialog', (dialog) => problems.push(`dialog: ${dialog.message()}`));
+  await page.getByRole('heading', { name: '<img src=x onerror=alert(1)>' }).waitFor();
+  assert.equal(await page.locator('main img, main b, main script').count(), 0);
+  await page.locator('.case > summary').first().click();
+  await page.locator('.output > summary').first().click();
+  await page.getByText('</script><script>alert(2)</script><b>bold</b>').first().waitFor();
+  assert.deepEqual(problems, []);
+  await page.close();
+});
+
+test('Flip, split, subdivide and undo by keys alone', async () => {
+  const viewer = await Viewer.start(homework('right'));
+  const { page } = viewer;
+  await viewer.select('e4');
+  for (const [key, steps] of [['f', 2], ['s', 3], ['u', 4]]) {
+    await page.keyboard.press(key);
+    await viewer.steps(steps);
+  }
+  assert.deepEqual(await page.locator('.timeline .sign.good').count(), 3);
+  // V + E, 2E + 3F and 4F of 9 vertices, 21 edges and 14 faces.
+  assert.match(await viewer.counts(), /30 vertices, 84 edges, 56 faces/);
+  await page.keyboard.press('z');
+  await page.waitForFunction(() => document.querySelector('[aria-current]').textContent.includes('split'));
+  assert.match(await viewer.counts(), /9 vertices, 21 edges, 14 faces/);
+  await page.keyboard.press('y');
+  await page.waitForFunction(() => document.querySelector('[aria-current]').textContent.includes('subdivide'));
+  await page.keyboard.press('q');
+  await page.waitForFunction(() => document.querySelector('[data-option=smooth]').ariaPressed === 'true');
+  await snap(page, 'viewer_smooth');
+  assert.deepEqual(await accessibilityProblems(page), []);
+  await viewer.stop();
+});
+
+test('A broken split is shown, and heals when the source is saved', async () => {
+  const folder = homework('healing', 'edge_split/next_forgotten');
+  const viewer = await Viewer.start(folder);
+  const { page } = viewer;
+  await viewer.select('e4');
+  await page.keyboard.press('s');
+  await viewer.steps(2);
+  await page.getByText('h3.next is still h4 (ab)').first().waitFor();
+  assert.match(await viewer.counts(), /Open faces: f12, f13\. Wrong pointers: h3\.next/);
+  assert.ok((await page.locator('button.break').count()) > 3);
+  await page.locator('button.break').first().click();
+  await page.getByText('Half-edge h4 selected').or(page.getByText('Half-edge h3 selected')).first().waitFor();
+  await viewer.select('e4');
+  await page.waitForTimeout(500);
+  await snap(page, 'viewer_broken_split');
+  assert.deepEqual(await accessibilityProblems(page), []);
+  cpSync(join(source, 'reference/edge_split.cpp'), join(folder, 'edge_split.cpp'));
+  await page.getByText('No mesh rule is broken').waitFor({ timeout: 120000 });
+  await page.locator('.timeline .sign.good').waitFor();
+  await page.waitForTimeout(500);
+  await snap(page, 'viewer_healed_split');
+  await viewer.stop();
+});
+
+/** What is put in front of the first line of the reference's flipEdge. */
+const STOPS = [
+  ['A crash', 'int* none = nullptr; *none = 1;', 'crashed'],
+  ['A dangling pointer', 'deleteEdge(e0); e0->halfedge();', 'crashed'],
+  ['An endless walk', 'for (HalfedgeIter h = e0->halfedge();; h = h->next()) {}', 'out of steps'],
+  ['An endless loop', 'volatile int i = 0; while (i == 0) {}', 'out of time'],
+];
+for (const [what, code, text] of STOPS) {
+  test(`${what} is told, and the mesh before is kept`, async () => {
+    const folder = homework(what);
+    const file = join(folder, 'edge_flip.cpp');
+    const right = readFileSync(file, 'utf8');
+    const wrong = right.replace(/flipEdge\(EdgeIter e0\) \{/, `$& ${code}`);
+    assert.notEqual(wrong, right);
+    writeFileSync(file, wrong);
+    const viewer = await Viewer.start(folder);
+    const { page } = viewer;
+    await viewer.select('e4');
+    await page.keyboard.press('f');
+    await page.locator('.stop').getByText(text).first().waitFor({ timeout: 60000 });
+    assert.match(await viewer.counts(), /8 vertices, 18 edges, 12 faces/);
+    await snap(page, `viewer_${what.split(' ').at(-1)}`);
+    writeFileSync(file, right);
+    await page.locator('.timeline .sign.good').waitFor({ timeout: 120000 });
+    assert.equal(await page.locator('.stop').count(), 0);
+    await viewer.stop();
+  });
+}
+
+function status(url, headers) {
+  return new Promise((resolve, reject) => {
+    http.get(url, { headers }, (response) => {
+      response.resume();
+      resolve(response.statusCode);
+    }).on('error', reject);
+  });
+}
+
+test('Other hosts, other pages and other users are refused', async () => {
+  const viewer = await Viewer.start(homework('guarded'));
+  const { origin } = new URL(viewer.url);
+  assert.equal(await status(viewer.url, {}), 200);
+  assert.equal(await status(viewer.url, { Host: 'evil.example' }), 403);
+  assert.equal(await status(viewer.url, { Origin: 'http://evil.example' }), 403);
+  assert.equal(await status(`${origin}/`, {}), 403);
+  assert.equal(await status(`${origin}/?token=0`, {}), 403);
+  await viewer.stop();
+});
