@@ -4,6 +4,7 @@ import { el, replace } from './dom';
 import { Connection } from './live/connection';
 import { LivePage } from './live/live_page';
 import type { PageData } from './model/types';
+import { showClass } from './panels/class_page';
 import { showReport } from './panels/report_page';
 
 function readData(): PageData {
@@ -15,6 +16,8 @@ const app = document.getElementById('app')!;
 const data = readData();
 if (data.kind === 'report') {
   showReport(app, data.report);
+} else if (data.kind === 'class') {
+  showClass(app, data.class, data.links);
 } else if (data.kind === 'live') {
   new LivePage(app, new Connection(data.token));
 } else {

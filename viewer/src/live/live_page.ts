@@ -44,7 +44,7 @@ export class LivePage {
   private lookAgain = false;
 
   constructor(app: HTMLElement, private readonly connection: Connection) {
-    this.panel.top.append(this.banner, this.told);
+    this.panel.top.append(el('h2', { class: 'unseen' }, 'The step'), this.banner, this.told);
     const head = el('header', { class: 'live-head' },
       el('strong', { class: 'brand' }, 'Meshgrade'), this.title, this.build, this.fileTools());
     replace(app, el('main', { class: 'live' }, head, this.panel.element,
@@ -244,14 +244,14 @@ function stoppedBanner(live: LiveState): Child[] {
   const parts: Child[] = [];
   const failed = live.build.files.filter((f) => !f.compiled);
   if (failed.length > 0) {
-    parts.push(el('div', { class: 'stop' }, el('h4', {}, '✗ Does not compile'),
+    parts.push(el('div', { class: 'stop' }, el('h3', {}, '✗ Does not compile'),
       el('p', {}, 'The program before goes on where there is one.'),
       ...failed.map((f) => el('pre', { tabindex: 0 }, `${f.name}\n${f.messages}`))));
   }
   const { stopped } = live;
   if (stopped) {
     parts.push(el('div', { class: 'stop' },
-      el('h4', {}, verdictTag(stopped.told.verdict), ` ${stopped.step}`),
+      el('h3', {}, verdictTag(stopped.told.verdict), ` ${stopped.step}`),
       stopped.told.note !== '' && el('p', {}, stopped.told.note),
       ...stopped.told.findings.map((f) => findingBlock(f, true)),
       output(stopped.told.output),
@@ -271,7 +271,7 @@ function toldOf(live: LiveState): Child[] {
   const [first, ...others] = told.findings;
   const pointers = told.findings.find((f) => f.pointers)?.pointers;
   return [
-    el('h4', {}, verdictTag(told.verdict), ` ${step ?? ''}`),
+    el('h3', {}, verdictTag(told.verdict), ` ${step ?? ''}`),
     told.note !== '' && el('p', { class: 'note' }, told.note),
     first && findingBlock(first, true),
     pointers && foldedTables(pointerTables(pointers)),

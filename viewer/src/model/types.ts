@@ -112,7 +112,37 @@ export interface Report {
   exercises: Exercise[];
 }
 
+/** The file class.json of a batch. */
+export interface ClassRow {
+  key: string;
+  people: { id: string; name: string; email: string }[];
+  submitted_at: string;
+  late: boolean;
+  status: string;
+  reason: string;
+  points: number;
+  extra_points: number;
+  exercises: ExercisePoints[];
+}
+export interface ExercisePoints {
+  name: string;
+  verdict: string;
+  points: number;
+  max_points: number;
+  extra_points: number;
+  max_extra_points: number;
+}
+export interface ClassResults {
+  assignment: string;
+  max_points: number;
+  max_extra_points: number;
+  exercises: ExercisePoints[];
+  rows: ClassRow[];
+  left_out: { what: string; why: string }[];
+}
+
 export type PageData =
   | { kind: 'empty' }
   | { kind: 'report'; report: Report }
+  | { kind: 'class'; class: ClassResults; links: Record<string, string> }
   | { kind: 'live'; token: string };

@@ -36,7 +36,7 @@ export function showInspector(
   });
   replace(
     panel,
-    el('h4', {}, el('span', { class: 'dot', 'aria-hidden': 'true' }), `${kindName(selected.kind)} ${nameOf(selected)}`),
+    el('h3', {}, el('span', { class: 'dot', 'aria-hidden': 'true' }), `${kindName(selected.kind)} ${nameOf(selected)}`),
     el('table', { class: 'pointers' }, el('tbody', {}, ...rows)),
     selected.kind === 'v' && el('p', { class: 'mono quiet' }, positionText(mesh, selected.index)),
   );

@@ -183,11 +183,11 @@ export class MeshPanel {
     const setWrong = state.wrong.filter((w) => w.was_set);
     replace(
       this.lists,
-      el('h4', {}, 'Mesh rules'),
+      el('h3', {}, 'Mesh rules'),
       brokenRules(state.broken, choose),
-      stale && el('h4', {}, 'Not changed, but should be'),
+      stale && el('h3', {}, 'Not changed, but should be'),
       stale,
-      setWrong.length > 0 && el('h4', {}, 'Set, but wrong'),
+      setWrong.length > 0 && el('h3', {}, 'Set, but wrong'),
       setWrong.length > 0 && el('ul', { class: 'plain' }, ...setWrong.map((w) => el('li', { class: 'wrong-line' },
         elementLink(w.pointer, choose), ' is ', elementLink(w.actual, choose), ', want ', el('strong', {}, elementLink(w.expected, choose))))),
       state.changes.length > 0 && el('details', { open: state.changes.length <= 24 },
