@@ -57,4 +57,10 @@ std::string to_html(const Report& report, const std::string& page) {
   return fill_page(page, data, PageAccess::kNone);
 }
 
+std::string class_to_html(const Json& results, const std::map<std::string, std::string>& links,
+                          const std::string& page) {
+  const Json data{{"kind", "class"}, {"class", results}, {"links", links}};
+  return fill_page(page, data, PageAccess::kNone);
+}
+
 }  // namespace meshgrade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -17,5 +18,13 @@ std::string fill_page(std::string page, const nlohmann::ordered_json& data, Page
 /// The report as one HTML file that asks for no other: the JSON report inside the viewer's
 /// page, with the meshes of the steps that went wrong.
 std::string to_html(const Report& report, const std::string& page);
+
+/// The results of a class as a page: points, verdicts by exercise, and a table of all.
+///
+/// @param results  as in the file class.json of a batch
+/// @param links    for each hand-in's key, the page of its report, seen from this page
+std::string class_to_html(const nlohmann::ordered_json& results,
+                          const std::map<std::string, std::string>& links,
+                          const std::string& page);
 
 }  // namespace meshgrade
