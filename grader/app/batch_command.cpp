@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "grader/app/batch_progress.h"
+#include "grader/app/class_pages.h"
 #include "grader/app/class_source.h"
 #include "grader/app/cluster_batch.h"
 #include "grader/app/context.h"
@@ -53,6 +54,7 @@ struct BatchCommandOptions {
   bool force = false;
   bool list = false;
   bool require_sandbox = false;
+  bool html = false;
 };
 
 void list_roster(const Roster& roster) {
@@ -239,6 +241,7 @@ int run(const BatchCommandOptions& options, const Assignment& assignment, const 
   const ClassResults results =
       collect_results(roster, assignment, options.exercises, folder.store());
   write_class_files(results, folder.path());
+  if (options.html) write_class_pages(results, folder.path());
   return conclude(results, options, complete);
 }
 
@@ -281,6 +284,8 @@ void add_options(CLI::App& command, BatchCommandOptions& options) {
                      "Only the hand-in of this person; may be repeated");
   command.add_option("--only-file", options.only_file,
                      "The same from a file with one name a line");
+  command.add_flag("--html", options.html,
+                   "Also write class.html and a page for each student's report");
   command.add_flag("--force", options.force, "Grade again what has not changed");
   command.add_flag("--require-sandbox", options.require_sandbox, kRequireSandboxHelp);
   command.add_option("-j,--jobs", options.jobs,

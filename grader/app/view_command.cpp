@@ -5,12 +5,14 @@
 #include <csignal>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "grader/app/console.h"
 #include "grader/app/context.h"
 #include "grader/app/file_watch.h"
 #include "grader/base/errors.h"
+#include "grader/files/bezier_file.h"
 #include "grader/files/mesh_file.h"
 #include "grader/view/view_server.h"
 
@@ -54,19 +56,44 @@ void rebuild_on_save(ViewServer& server, const std::filesystem::path& files,
   }
 }
 
+using Json = nlohmann::ordered_json;
+
+/// What the page begins with, if the file holds no mesh.
+Json bezier_start(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  if (file.extension() == ".bzc") {
+    return {{"kind", "curve"}, {"name", name}, {"points", read_bzc(file)}};
+  }
+  if (file.extension() != ".bez") return nullptr;
+  Json patches = Json::array();
+  for (const ControlNet& net : read_bez(file)) {
+    Json rows = Json::array();
+    for (std::size_t row = 0; row < net.rows; ++row) {
+      rows.push_back(Json::array());
+      for (std::size_t col = 0; col < net.cols; ++col)
+        rows.back().push_back(net.at(row, col));
+    }
+    patches.push_back(std::move(rows));
+  }
+  return {{"kind", "patch"}, {"name", name}, {"nets", std::move(patches)}};
+}
+
 int view(const ViewOptions& options) {
   const sigset_t signals = block_signals();
   const Home home = find_home();
   const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
-  const std::filesystem::path mesh =
-      options.mesh.empty() ? home.meshes / "cube.obj" : std::filesystem::path(options.mesh);
-  MeshSession session(assignment, home, options.submission);
+  const std::filesystem::path cube = home.meshes / "cube.obj";
+  const std::filesystem::path file = options.mesh.empty() ? cube : options.mesh;
+  const Json start = bezier_start(file);
+  const std::filesystem::path mesh = start.is_null() ? file : cube;
+  StudentProgram program(assignment, home, options.submission);
+  MeshSession session(program);
+  session.open(mesh.filename().string(), read_mesh(mesh).mesh);
   const Progress progress = terminal_progress();
   progress("compiling");
   session.rebuild();
   progress("");
-  session.open(mesh.filename().string(), read_mesh(mesh).mesh);
-  ViewServer server(session, viewer_page());
+  ViewServer server(session, viewer_page(), start.dump());
   server.bind(options.port);
   std::cout << server.address() << "\n"
             << "Open this address in a browser. Saving a file builds it again; Ctrl-C ends.\n"
@@ -89,7 +116,9 @@ void add_view_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command =
       app.add_subcommand("view", "See a mesh, and what your functions make of it");
-  command->add_option("mesh", options->mesh, "A mesh file; a cube if none is named");
+  command->add_option(
+      "mesh", options->mesh,
+      "A mesh, a Bezier curve (.bzc) or surface (.bez); a cube if none is named");
   command
       ->add_option("--submission", options->submission,
                    "The folder with the C++ files, or one file")
@@ -104,7 +133,9 @@ void add_view_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  meshgrade view --submission my_homework\n"
       "  meshgrade view meshes/icosahedron.obj --submission my_homework\n"
-      "Exit code: 0 when ended by Ctrl-C, 2 bad usage or an unreadable file, 3 an error of the\n"
+      "  meshgrade view meshes/arch_4.bzc --submission my_homework\n"
+      "Exit code: 0 when ended by Ctrl-C, 2 bad usage or an unreadable file, 3 an error of "
+      "the\n"
       "grader.");
   command->callback([options, &exit_code] { exit_code = view(*options); });
 }

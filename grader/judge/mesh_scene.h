@@ -10,7 +10,7 @@ namespace meshgrade {
 /// A mesh before a step, as the student's code left it, and as it must be: what a viewer shows.
 /// Only for a step that went wrong, and only where the meshes are small; else empty.
 struct MeshScene {
-  std::string step;   ///< "flip e5 (v0-v3)"
+  std::string step;      ///< "flip e5 (v0-v3)"
   Ref edge = kUnsetRef;  ///< the edge that was flipped or split
   MeshDump before;
   MeshDump yours;

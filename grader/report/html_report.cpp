@@ -3,6 +3,7 @@
 #include "grader/base/errors.h"
 #include "grader/report/mesh_json.h"
 #include "grader/report/report_value.h"
+#include "grader/report/svg_figure.h"
 
 namespace meshgrade {
 namespace {
@@ -48,10 +49,11 @@ std::string to_html(const Report& report, const std::string& page) {
   for (std::size_t i = 0; i < report.exercises.size(); ++i) {
     const std::vector<CaseReport>& cases = report.exercises[i].cases;
     for (std::size_t c = 0; c < cases.size(); ++c) {
-      // A picture of the case (SVG text) goes here as well, as `figure`.
-      if (!cases[c].scene.empty()) {
-        exercises[i]["cases"][c]["scene"] = to_json_value(cases[c].scene);
-      }
+      Json& value = exercises[i]["cases"][c];
+      const std::string picture =
+          to_svg(cases[c], "figure-" + std::to_string(i) + "-" + std::to_string(c));
+      if (!picture.empty()) value["picture"] = picture;
+      if (!cases[c].scene.empty()) value["scene"] = to_json_value(cases[c].scene);
     }
   }
   return fill_page(page, data, PageAccess::kNone);

@@ -131,6 +131,7 @@ void hide_details(CaseReport& c, HiddenShow show) {
   c.title = "a hidden case";
   c.shrunk_from.clear();
   c.figure.clear();
+  c.scene = {};
   c.note = c.verdict == Verdict::kPassed ? "" : "its details are not shown";
   c.output.clear();
   c.output_bytes = 0;

@@ -6,13 +6,9 @@
 #include "grader/base/text.h"
 #include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
-#include "grader/run/run.h"
-#include "grader/submission/submission.h"
 
 namespace meshgrade {
 namespace {
-
-constexpr std::uint32_t kPatienceMs = 4000;
 
 /// Far more than any good solution needs, and little enough that an endless walk is told at
 /// once.
@@ -37,18 +33,13 @@ MeshDump first_state(const PolygonMesh& polygons) {
   return dump_mesh(mesh);
 }
 
-bool all_compiled(const std::vector<BuiltFile>& files) {
-  return std::all_of(files.begin(), files.end(),
-                     [](const BuiltFile& file) { return file.ok && file.left_out.empty(); });
+CaseReport tell(const StudentProgram& program, const ViewOperation& operation,
+                CaseJudgement judgement, const Outcome& outcome) {
+  return program.tell(exercise_of(operation.kind), operation_text(operation),
+                      std::move(judgement), outcome);
 }
 
 }  // namespace
-
-MeshSession::MeshSession(const Assignment& assignment, const Home& home,
-                         std::filesystem::path submission)
-    : assignment_(assignment), home_(home), submission_(std::move(submission)) {
-  submission_name_ = find_submission(submission_, assignment_.submission).name;
-}
 
 void MeshSession::open(const std::string& name, const PolygonMesh& mesh) {
   MeshDump first = first_state(mesh);
@@ -62,15 +53,7 @@ void MeshSession::open(const std::string& name, const PolygonMesh& mesh) {
 }
 
 void MeshSession::rebuild() {
-  Submission sources = find_submission(submission_, assignment_.submission);
-  Build built = build_submission(sources, home_, assignment_.limits);
-  ++builds_;
-  files_ = built.files;
-  compiled_ = all_compiled(files_);
-  if (!compiled_ && build_) return;
-  build_.reset();
-  build_.emplace(std::move(built));
-  sources_ = std::move(sources);
+  if (!program_.rebuild()) return;
   if (states_.empty()) return;
   std::vector<ViewOperation> again = operations_;
   if (stopped_ && position_ == operations_.size()) again.push_back(stopped_->operation);
@@ -90,10 +73,7 @@ Outcome MeshSession::run(const std::vector<ViewOperation>& operations, std::size
   asked.step_budget = step_budget(start_, operations);
   asked.input = to_wire(
       ViewInput{start_, operations, static_cast<std::uint32_t>(first_told), with_normals});
-  Limits limits = assignment_.limits;
-  limits.case_cpu_ms = std::min(limits.case_cpu_ms, kPatienceMs);
-  limits.case_wall_ms = std::min(limits.case_wall_ms, 2 * kPatienceMs);
-  return run_cases(*build_, {&asked}, limits, Company::kAlone).at(0);
+  return program_.run({asked}).at(0);
 }
 
 /// Runs these operations after those that are done.
@@ -111,7 +91,7 @@ void MeshSession::extend(const std::vector<ViewOperation>& operations) {
     judgement.verdict = Verdict::kCrashed;
     judgement.note = std::string("what it left behind cannot be read: ") + error.what() +
                      "; does the code write over memory that is not its own?";
-    stop.told = tell(stop.operation, std::move(judgement), outcome);
+    stop.told = tell(program_, stop.operation, std::move(judgement), outcome);
     stopped_ = std::move(stop);
   }
 }
@@ -122,8 +102,8 @@ void MeshSession::take_steps(const std::vector<ViewOperation>& operations,
   for (std::size_t i = 0; i < outcome.steps.size(); ++i) {
     auto step = from_wire<ViewStep>(outcome.steps[i]);
     CaseJudgement judgement =
-        judge_view_step(assignment_, states_.back().mesh, operations[i], step);
-    CaseReport told = tell(operations[i], std::move(judgement), outcome);
+        judge_view_step(program_.assignment(), states_.back().mesh, operations[i], step);
+    CaseReport told = tell(program_, operations[i], std::move(judgement), outcome);
     operations_.push_back(operations[i]);
     states_.push_back({std::move(step.after), std::move(told)});
   }
@@ -135,9 +115,10 @@ void MeshSession::take_steps(const std::vector<ViewOperation>& operations,
     CaseJudgement gone;
     gone.verdict = Verdict::kNotJudged;
     gone.note = edge_name(stopped_at.edge) + " is not there any more";
-    stop.told = tell(stopped_at, std::move(gone), outcome);
+    stop.told = tell(program_, stopped_at, std::move(gone), outcome);
   } else {
-    stop.told = tell(stopped_at, judge_stop(assignment_, start_, stopped_at, outcome), outcome);
+    stop.told = tell(program_, stopped_at,
+                     judge_stop(program_.assignment(), start_, stopped_at, outcome), outcome);
   }
   if (!outcome.interrupted.empty()) {
     stop.mesh = from_wire<ViewStep>(outcome.interrupted).after;
@@ -145,26 +126,8 @@ void MeshSession::take_steps(const std::vector<ViewOperation>& operations,
   stopped_ = std::move(stop);
 }
 
-/// A judgement as a report tells it, with the lines of code.
-CaseReport MeshSession::tell(const ViewOperation& operation, CaseJudgement judgement,
-                             const Outcome& outcome) const {
-  ExerciseRubric rubric;
-  rubric.name = exercise_of(operation.kind);
-  JudgedExercise exercise;
-  exercise.rubric = &rubric;
-  JudgedCase judged;
-  judged.asked.exercise = rubric.name;
-  judged.asked.group = kViewTask;
-  judged.asked.title = operation_text(operation);
-  judged.judgement = std::move(judgement);
-  judged.output = outcome.output;
-  judged.output_bytes = outcome.output_bytes;
-  exercise.cases.push_back(std::move(judged));
-  return make_report(assignment_, *sources_, files_, {exercise}).exercises[0].cases[0];
-}
-
 void MeshSession::apply(const ViewOperation& operation) {
-  if (states_.empty() || !build_) throw UserError("there is no mesh or no program yet");
+  if (states_.empty()) throw UserError("there is no mesh yet");
   const std::vector<EdgeRecord>& edges = states_[position_].mesh.edges;
   const bool needs_edge = operation.kind != ViewKind::kSubdivide;
   if (needs_edge && (operation.edge >= edges.size() || edges[operation.edge].live == 0)) {
@@ -182,7 +145,7 @@ void MeshSession::go_to(std::size_t position) {
 }
 
 MeshSession::Normals MeshSession::normals() const {
-  if (states_.empty() || !build_) throw UserError("there is no mesh or no program yet");
+  if (states_.empty()) throw UserError("there is no mesh yet");
   const std::vector<ViewOperation> done(operations_.begin(),
                                         operations_.begin() + static_cast<long>(position_));
   const Outcome outcome = run(done, done.size(), true);

@@ -7,16 +7,12 @@
 // to the one that is looked at, and runs them again. So a new program after a save shows what
 // it makes of the same operations, and what a crash leaves behind in memory does not matter.
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "grader/assignment/assignment.h"
-#include "grader/build/build.h"
-#include "grader/build/home.h"
-#include "grader/report/report.h"
 #include "grader/view/step_judge.h"
+#include "grader/view/student_program.h"
 
 namespace meshgrade {
 
@@ -35,8 +31,7 @@ struct StoppedStep {
 
 class MeshSession {
  public:
-  /// @throws UserError if there is nothing to compile, or the mesh is no surface
-  MeshSession(const Assignment& assignment, const Home& home, std::filesystem::path submission);
+  explicit MeshSession(StudentProgram& program) : program_(program) {}
 
   /// Begins anew with another mesh.
   /// @throws UserError if half-edges cannot be made of it
@@ -63,10 +58,7 @@ class MeshSession {
   Normals normals() const;
 
   const std::string& name() const { return name_; }
-  const std::string& submission() const { return submission_name_; }
-  const std::vector<BuiltFile>& files() const { return files_; }
-  bool compiled() const { return compiled_; }
-  std::size_t builds() const { return builds_; }
+  const StudentProgram& program() const { return program_; }
   const std::vector<ViewOperation>& operations() const { return operations_; }
   /// One more than operations that came to their end: the first is the mesh as it was opened.
   const std::vector<ViewState>& states() const { return states_; }
@@ -78,18 +70,8 @@ class MeshSession {
               bool with_normals) const;
   void extend(const std::vector<ViewOperation>& operations);
   void take_steps(const std::vector<ViewOperation>& operations, const Outcome& outcome);
-  CaseReport tell(const ViewOperation& operation, CaseJudgement judgement,
-                  const Outcome& outcome) const;
 
-  const Assignment& assignment_;
-  Home home_;
-  std::filesystem::path submission_;
-  std::string submission_name_;
-  std::optional<Submission> sources_;
-  std::optional<Build> build_;
-  std::vector<BuiltFile> files_;
-  bool compiled_ = false;
-  std::size_t builds_ = 0;
+  StudentProgram& program_;
   std::string name_;
   PolygonMesh start_;
   std::vector<ViewOperation> operations_;

@@ -13,8 +13,8 @@ const char* exercise_of(ViewKind kind);
 /// "flip e5", "subdivide"
 std::string operation_text(const ViewOperation& operation);
 
-/// What the judge says of one step of the viewer. From a mesh that breaks rules already, nothing
-/// is expected of the step: the judgement is kNotJudged.
+/// What the judge says of one step of the viewer. From a mesh that breaks rules already,
+/// nothing is expected of the step: the judgement is kNotJudged.
 CaseJudgement judge_view_step(const Assignment& assignment, const MeshDump& before,
                               const ViewOperation& operation, const ViewStep& step);
 

@@ -10,14 +10,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json build_value(const MeshSession& session) {
+Json build_value(const StudentProgram& program) {
   Json files = Json::array();
-  for (const BuiltFile& file : session.files()) {
-    files.push_back(
-        {{"name", file.name}, {"compiled", file.ok}, {"messages", file.messages}});
+  for (const BuiltFile& file : program.files()) {
+    files.push_back({{"name", file.name}, {"compiled", file.ok}, {"messages", file.messages}});
   }
-  return {{"number", session.builds()},
-          {"compiled", session.compiled()},
+  return {{"number", program.builds()},
+          {"compiled", program.compiled()},
           {"files", std::move(files)}};
 }
 
@@ -49,12 +48,9 @@ Json state_value(const MeshSession& session) {
 }  // namespace
 
 Json to_json_value(const MeshSession& session) {
-  Json value{{"submission", session.submission()},
-             {"mesh", session.name()},
-             {"build", build_value(session)},
-             {"timeline", timeline_value(session)},
-             {"position", session.position()},
-             {"state", state_value(session)}};
+  Json value{{"submission", session.program().name()},  {"mesh", session.name()},
+             {"build", build_value(session.program())}, {"timeline", timeline_value(session)},
+             {"position", session.position()},          {"state", state_value(session)}};
   if (session.stopped()) {
     const StoppedStep& stop = *session.stopped();
     Json stopped{{"step", operation_text(stop.operation)}, {"told", to_json_value(stop.told)}};

@@ -11,8 +11,8 @@ namespace meshgrade {
 /// `stopped`. docs/viewer.md explains the keys.
 nlohmann::ordered_json to_json_value(const MeshSession& session);
 
-/// `normals`: x, y and z for each vertex, null where it is none, or why there are none, `error`.
-nlohmann::ordered_json to_json_value(const MeshSession::Normals& normals,
-                                     const MeshDump& mesh);
+/// `normals`: x, y and z for each vertex, null where it is none, or why there are none,
+/// `error`.
+nlohmann::ordered_json to_json_value(const MeshSession::Normals& normals, const MeshDump& mesh);
 
 }  // namespace meshgrade

@@ -13,6 +13,7 @@
 #include "grader/base/process.h"
 #include "grader/files/mesh_file.h"
 #include "grader/report/html_report.h"
+#include "grader/view/bezier_view.h"
 #include "grader/view/view_json.h"
 
 namespace meshgrade {
@@ -70,8 +71,11 @@ PolygonMesh read_sent(const std::string& name, const std::string& bytes) {
 
 class ViewServer::Impl {
  public:
-  Impl(MeshSession& session, std::string page)
-      : session_(session), page_(std::move(page)), token_(random_token()) {
+  Impl(MeshSession& session, std::string page, std::string start)
+      : session_(session),
+        page_(std::move(page)),
+        start_(std::move(start)),
+        token_(random_token()) {
     server_.set_payload_max_length(kMostUploaded);
     server_.set_keep_alive_max_count(1000);
     server_.set_pre_routing_handler(
@@ -150,7 +154,7 @@ class ViewServer::Impl {
 
   void add_routes() {
     server_.Get("/", [this](const httplib::Request&, httplib::Response& response) {
-      const Json data{{"kind", "live"}, {"token", token_}};
+      const Json data{{"kind", "live"}, {"token", token_}, {"start", Json::parse(start_)}};
       response.set_content(fill_page(page_, data, PageAccess::kOwnServer),
                            "text/html; charset=utf-8");
     });
@@ -166,12 +170,11 @@ class ViewServer::Impl {
       const auto bytes = request.at("bytes").get<std::vector<std::uint8_t>>();
       session.open(name, read_sent(name, {bytes.begin(), bytes.end()}));
     });
-    server_.Post("/normals", [this](const httplib::Request&, httplib::Response& response) {
-      const std::lock_guard<std::mutex> lock(session_mutex_);
-      const Json value = to_json_value(session_.normals(),
-                                       session_.states()[session_.position()].mesh);
-      answer(response, value);
+    add_question("/normals", [this](const Json&) {
+      return to_json_value(session_.normals(), session_.states()[session_.position()].mesh);
     });
+    add_bezier("/curve", view_curve);
+    add_bezier("/patch", view_patch);
     server_.Get("/events", [this](const httplib::Request&, httplib::Response& response) {
       response.set_chunked_content_provider(
           "text/event-stream",
@@ -183,21 +186,37 @@ class ViewServer::Impl {
 
   /// Changes the session, or not, and answers with what is to be shown now.
   void add_action(const std::string& path,
-                  std::function<void(MeshSession&, const Json&)> action) {
-    server_.Post(path, [this, action](const httplib::Request& request,
-                                      httplib::Response& response) {
-      const std::lock_guard<std::mutex> lock(session_mutex_);
-      try {
-        action(session_, request.body.empty() ? Json::object() : Json::parse(request.body));
-        answer(response, to_json_value(session_));
-      } catch (const UserError& error) {
-        response.status = 422;
-        answer(response, {{"error", error.what()}});
-      } catch (const Json::exception& error) {
-        response.status = 400;
-        answer(response, {{"error", error.what()}});
-      }
+                  const std::function<void(MeshSession&, const Json&)>& action) {
+    add_question(path, [this, action](const Json& request) {
+      action(session_, request);
+      return to_json_value(session_);
     });
+  }
+
+  void add_bezier(const std::string& path, Json (*view)(const StudentProgram&, const Json&)) {
+    add_question(
+        path, [this, view](const Json& request) { return view(session_.program(), request); });
+  }
+
+  void add_question(const std::string& path, std::function<Json(const Json&)> question) {
+    server_.Post(
+        path, [this, question](const httplib::Request& request, httplib::Response& response) {
+          const std::lock_guard<std::mutex> lock(session_mutex_);
+          try {
+            answer(response,
+                   question(request.body.empty() ? Json::object() : Json::parse(request.body)));
+          } catch (const WireError& error) {
+            response.status = 422;
+            answer(response, {{"error", std::string("the program's answer cannot be read: ") +
+                                            error.what()}});
+          } catch (const UserError& error) {
+            response.status = 422;
+            answer(response, {{"error", error.what()}});
+          } catch (const Json::exception& error) {
+            response.status = 400;
+            answer(response, {{"error", error.what()}});
+          }
+        });
   }
 
   static void answer(httplib::Response& response, const Json& value) {
@@ -223,6 +242,7 @@ class ViewServer::Impl {
 
   MeshSession& session_;
   std::string page_;
+  std::string start_;
   std::string token_;
   int port_ = 0;
   httplib::Server server_;
@@ -233,8 +253,8 @@ class ViewServer::Impl {
   bool stopped_ = false;
 };
 
-ViewServer::ViewServer(MeshSession& session, std::string page)
-    : impl_(std::make_unique<Impl>(session, std::move(page))) {}
+ViewServer::ViewServer(MeshSession& session, std::string page, std::string start)
+    : impl_(std::make_unique<Impl>(session, std::move(page), std::move(start))) {}
 ViewServer::~ViewServer() = default;
 
 void ViewServer::bind(int port) {

@@ -13,8 +13,10 @@ namespace meshgrade {
 /// only who has started it knows.
 class ViewServer {
  public:
-  /// @param page  the viewer's page, without data
-  ViewServer(MeshSession& session, std::string page);
+  /// @param page   the viewer's page, without data
+  /// @param start  what the page begins with, as JSON: null for the mesh of the session, or a
+  ///               Bezier `curve` or `patch`
+  ViewServer(MeshSession& session, std::string page, std::string start);
   ~ViewServer();
   ViewServer(const ViewServer&) = delete;
   ViewServer& operator=(const ViewServer&) = delete;

@@ -74,7 +74,7 @@ export interface Case {
   findings: Finding[];
   scene?: Scene;
   /** A picture of what is wrong: SVG text. */
-  figure?: string;
+  picture?: string;
 }
 export interface Group {
   name: string;

@@ -126,7 +126,7 @@ function outputBlock(c: Case): Child {
 }
 
 export function caseCard(c: Case): HTMLDetailsElement {
-  const svg = c.figure ? picture(c.figure) : null;
+  const svg = c.picture ? picture(c.picture) : null;
   const pointers = c.findings.find((f) => f.pointers)?.pointers;
   const [first, ...others] = c.findings;
   const card = el(
