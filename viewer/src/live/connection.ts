@@ -27,6 +27,21 @@ export interface LiveState {
   };
 }
 
+export type Point2 = [number, number];
+export type Point3 = [number, number, number];
+
+export interface CurveAnswer {
+  levels: Point2[][];
+  curve: (Point2 | null)[];
+  exact: Point2[];
+  told: Case;
+}
+
+export interface PatchAnswer {
+  grid: (Point3 | null)[];
+  told: Case;
+}
+
 export type StepKind = 'flip' | 'split' | 'subdivide';
 
 export class Connection {
@@ -58,6 +73,9 @@ export class Connection {
   open = (name: string, bytes: Uint8Array): Promise<LiveState> =>
     this.post('/open', { name, bytes: [...bytes] });
   normals = (): Promise<{ normals?: (number | null)[]; error?: string }> => this.post('/normals', {});
+
+  curve = (points: Point2[], t: number): Promise<CurveAnswer> => this.post('/curve', { points, t });
+  patch = (net: Point3[][], density: number): Promise<PatchAnswer> => this.post('/patch', { net, density });
 
   /** Calls back whenever the source was built again, and when the server comes or goes. */
   listen(onChange: () => void, onAlive: (alive: boolean) => void): void {

@@ -6,7 +6,8 @@ import { Mesh } from '../model/mesh';
 import { findingBlock, pointerTables } from '../panels/case_card';
 import { MeshPanel, type MeshState } from '../panels/mesh_panel';
 import { toneOf, verdictTag } from '../panels/verdict';
-import { Connection, type LiveState, type StepKind } from './connection';
+import type { Connection, LiveState, StepKind } from './connection';
+import { buildTag, compilerBanner, output } from './shell';
 
 const PLAIN = { broken: [], changes: [], wrong: [] };
 
@@ -216,10 +217,7 @@ export class LivePage {
   }
 
   private drawBuild(live: LiveState): void {
-    const bad = live.build.files.filter((f) => !f.compiled);
-    replace(this.build, bad.length === 0 && live.build.compiled
-      ? el('span', { class: 'tag good' }, '✓ compiled')
-      : el('span', { class: 'tag bad' }, '✗ does not compile'));
+    replace(this.build, buildTag(live.build));
   }
 
   private drawTimeline(live: LiveState): void {
@@ -241,13 +239,7 @@ export class LivePage {
 }
 
 function stoppedBanner(live: LiveState): Child[] {
-  const parts: Child[] = [];
-  const failed = live.build.files.filter((f) => !f.compiled);
-  if (failed.length > 0) {
-    parts.push(el('div', { class: 'stop' }, el('h3', {}, '✗ Does not compile'),
-      el('p', {}, 'The program before goes on where there is one.'),
-      ...failed.map((f) => el('pre', { tabindex: 0 }, `${f.name}\n${f.messages}`))));
-  }
+  const parts: Child[] = [compilerBanner(live.build)];
   const { stopped } = live;
   if (stopped) {
     parts.push(el('div', { class: 'stop' },
@@ -258,11 +250,6 @@ function stoppedBanner(live: LiveState): Child[] {
       el('p', { class: 'quiet' }, 'The mesh before is kept. Save a change, and this step is tried again.')));
   }
   return parts;
-}
-
-function output(text: string): Child {
-  if (text === '') return null;
-  return el('details', {}, el('summary', {}, 'What the code printed'), el('pre', { tabindex: 0 }, text));
 }
 
 function toldOf(live: LiveState): Child[] {

@@ -145,4 +145,10 @@ export type PageData =
   | { kind: 'empty' }
   | { kind: 'report'; report: Report }
   | { kind: 'class'; class: ClassResults; links: Record<string, string> }
-  | { kind: 'live'; token: string };
+  | { kind: 'live'; token: string; start: LiveStart };
+
+/** What the live page begins with; null: the mesh of the server. */
+export type LiveStart =
+  | null
+  | { kind: 'curve'; name: string; points: [number, number][] }
+  | { kind: 'patch'; name: string; nets: [number, number, number][][][] };

@@ -30,6 +30,8 @@ export interface ViewOptions {
   wireframe: boolean;
   smooth: boolean;
   normalLines: boolean;
+  arrows: boolean;
+  edges: boolean;
 }
 
 /** More arcs and callouts than this hide the mesh; the lists beside it name all. */
@@ -54,7 +56,11 @@ export function hasWebGL(): boolean {
 
 export class MeshView {
   readonly canvas: HTMLCanvasElement;
-  readonly options: ViewOptions = { ids: true, wireframe: false, smooth: false, normalLines: false };
+  readonly options: ViewOptions = {
+    ids: true, wireframe: false, smooth: false, normalLines: false, arrows: true, edges: true,
+  };
+  /** Further lines, as pairs of ends. */
+  lines: { points: Float32Array; color: keyof Palette }[] = [];
   onPick: (element: Element | null) => void = () => {};
 
   private readonly renderer: THREE.WebGLRenderer;
@@ -275,8 +281,9 @@ export class MeshView {
     this.labels = [];
     this.scene.background = new THREE.Color(this.colors.ground);
     if (!this.options.wireframe) this.addSurface(this.surface);
-    this.addLines(linesOf(this.mesh), this.colors.line);
-    this.addArrows();
+    if (this.options.edges) this.addLines(linesOf(this.mesh), this.colors.line);
+    for (const { points, color } of this.lines) this.addLines(points, this.colors[color]);
+    if (this.options.arrows) this.addArrows();
     this.addSelection();
     this.addArcs();
     this.addNormalLines();
