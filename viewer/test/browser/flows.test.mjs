@@ -91,7 +91,7 @@ class Viewer {
     });
     viewer.problems = [];
     viewer.page = await openPage(viewer.url, viewer.problems);
-    await viewer.steps(1);
+    if (!/\.bez$|\.bzc$/.test(mesh)) await viewer.steps(1);
     return viewer;
   }
 
@@ -282,6 +282,51 @@ for (const [what, code, text] of STOPS) {
     await viewer.stop();
   });
 }
+
+test('A curve is stepped by keys, dragged, and follows the source', async () => {
+  const folder = homework('curve');
+  const viewer = await Viewer.start(folder, 'arch_4.bzc');
+  const { page } = viewer;
+  await page.getByText('evaluateStep at t = 0.50').waitFor();
+  // The middle of the cubic: (p0 + 3 p1 + 3 p2 + p3) / 8.
+  await page.locator('.levels tr').last().getByText('(1.5, 1.3438)').waitFor();
+  for (let level = 1; level <= 3; ++level) {
+    await page.keyboard.press('e');
+    assert.equal(await page.locator('.curve circle.level, .curve circle.result').count(), [3, 5, 6][level - 1]);
+  }
+  await page.keyboard.press('c');
+  assert.equal(await page.locator('.curve .yours').count(), 1);
+  await snap(page, 'viewer_curve');
+  const control = page.locator('.control').nth(1);
+  const box = await control.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 80, box.y + 60, { steps: 4 });
+  await page.mouse.up();
+  await page.waitForFunction(() => !document.querySelector('.control:nth-of-type(1)')?.ariaLabel?.includes('0.5, 1.5'));
+  assert.doesNotMatch(await control.getAttribute('aria-label'), /0\.5, 1\.5/);
+  await page.keyboard.press('a');
+  assert.equal(await page.locator('.control').count(), 5);
+  await page.keyboard.press('Delete');
+  assert.equal(await page.locator('.control').count(), 4);
+  assert.deepEqual(await accessibilityProblems(page), []);
+  cpSync(join(source, 'tests/submissions/wrong/bezier_curve/t_swapped/bezier_curve.cpp'), join(folder, 'bezier_curve.cpp'));
+  await page.getByRole('slider').press('ArrowRight');
+  await page.locator('.told .tag.bad').waitFor({ timeout: 120000 });
+  await viewer.stop();
+});
+
+test('A surface comes from the student\'s evaluate', async () => {
+  const viewer = await Viewer.start(homework('patch'), 'wavy.bez');
+  const { page } = viewer;
+  await page.getByText('passed').waitFor({ timeout: 60000 });
+  assert.match(await viewer.counts(), /1 patches, 289 points/);
+  await page.getByRole('combobox').selectOption('32');
+  await page.waitForFunction(() => document.querySelector('.stage canvas').ariaLabel.includes('1089 points'));
+  await snap(page, 'viewer_surface');
+  assert.deepEqual(await accessibilityProblems(page), []);
+  await viewer.stop();
+});
 
 function status(url, headers) {
   return new Promise((resolve, reject) => {
