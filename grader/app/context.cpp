@@ -1,5 +1,7 @@
 #include "grader/app/context.h"
 
+#include <fstream>
+#include <iterator>
 #include <unistd.h>
 
 #include "grader/base/errors.h"

@@ -22,6 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostUploaded = 64U << 20U;
+constexpr std::size_t kMostConnections = 32;
 constexpr auto kHeartbeat = std::chrono::seconds(5);
 
 std::string random_token() {
@@ -78,6 +79,8 @@ class ViewServer::Impl {
         token_(random_token()) {
     server_.set_payload_max_length(kMostUploaded);
     server_.set_keep_alive_max_count(1000);
+    // Each open page holds one for its news.
+    server_.new_task_queue = [] { return new httplib::ThreadPool(kMostConnections); };
     server_.set_pre_routing_handler(
         [this](const httplib::Request& request, httplib::Response& response) {
           return may_come_in(request, response) ? httplib::Server::HandlerResponse::Unhandled
@@ -134,6 +137,7 @@ class ViewServer::Impl {
     const std::string host = request.get_header_value("Host");
     response.set_header("Cache-Control", "no-store");
     response.set_header("X-Content-Type-Options", "nosniff");
+    response.set_header("X-Frame-Options", "DENY");
     if (host != "127.0.0.1" + port && host != "localhost" + port) {
       refuse(response, "This server answers to 127.0.0.1 only.\n");
       return false;
