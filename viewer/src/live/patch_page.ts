@@ -4,7 +4,8 @@ import { button, el, replace } from '../dom';
 import { saveFile } from '../model/export';
 import { Mesh } from '../model/mesh';
 import { meshOfPolygons } from '../model/polygons';
-import { MeshView, hasWebGL } from '../scene/mesh_view';
+import { MeshView } from '../scene/mesh_view';
+import { hasWebGL } from '../scene/webgl';
 import type { Connection, PatchAnswer, Point3 } from './connection';
 import { BezierShell, verdict } from './shell';
 

@@ -3,7 +3,8 @@
 import { button, el, replace } from '../dom';
 import { Mesh, kindName, nameOf, parseElement, parsePointer, type Element } from '../model/mesh';
 import type { PointerChange, RuleBreak, WrongPointer } from '../model/types';
-import { MeshView, hasWebGL, type Arc, type Marks, type ViewOptions } from '../scene/mesh_view';
+import { MeshView, type Arc, type Marks, type ViewOptions } from '../scene/mesh_view';
+import { hasWebGL } from '../scene/webgl';
 import { showInspector } from './inspector';
 import { brokenRules, changedPointers, elementLink, notChanged } from './pointer_lists';
 

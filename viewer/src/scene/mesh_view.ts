@@ -2,10 +2,11 @@
 
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { nameOf, parseElement, sameElement, type Element, type Mesh } from '../model/mesh';
+import { nameOf, sameElement, type Element, type Mesh } from '../model/mesh';
 import { palette, type Palette } from './colors';
 import { drawLabels, type Label } from './labels';
 import { pick } from './picking';
+import { softwareRendered } from './webgl';
 import {
   ArrowMaker, add, arrowTriangles, ballOf, dot, length, linesOf, mix, placeOf, scale, sub,
   surfaceOf, unit, type Surface, type Vec,
@@ -39,20 +40,6 @@ const MOST_CALLOUTS = 8;
 const MOST_ARROWS = 3000;
 const MOST_LABELS = 400;
 const HEAVY_TRIANGLES = 20000;
-
-/** Whether the graphics are computed by the processor; null: there are none at all. */
-function softwareRendered(): boolean | null {
-  const probe = document.createElement('canvas').getContext('webgl2');
-  if (!probe) return null;
-  const info = probe.getExtension('WEBGL_debug_renderer_info');
-  const name = String(probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER));
-  probe.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|software/i.test(name);
-}
-
-export function hasWebGL(): boolean {
-  return softwareRendered() !== null;
-}
 
 export class MeshView {
   readonly canvas: HTMLCanvasElement;
@@ -493,10 +480,4 @@ export class MeshView {
     const outward = sub(at, this.ball.centre);
     return dot(outward, outward) > 0 ? outward : [0, 0, 0];
   }
-}
-
-/** The element that a text of the grader names first, if the mesh has it. */
-export function elementIn(mesh: Mesh, text: string): Element | null {
-  const element = parseElement(text);
-  return element && mesh.isLive(element) ? element : null;
 }
