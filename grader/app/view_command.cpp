@@ -83,7 +83,8 @@ int view(const ViewOptions& options) {
   const Home home = find_home();
   const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
   const std::filesystem::path cube = home.meshes / "cube.obj";
-  const std::filesystem::path file = options.mesh.empty() ? cube : options.mesh;
+  const std::filesystem::path file =
+      options.mesh.empty() ? cube : std::filesystem::path(options.mesh);
   const Json start = bezier_start(file);
   const std::filesystem::path mesh = start.is_null() ? file : cube;
   StudentProgram program(assignment, home, options.submission);
