@@ -1,8 +1,8 @@
 #include "grader/app/context.h"
 
+#include <unistd.h>
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
 
 #include "grader/base/errors.h"
 #include "grader/sandbox/system_paths.h"

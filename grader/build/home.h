@@ -18,8 +18,8 @@ struct Home {
   /// The model solution, which stands in for what a submission lacks; empty in a package that
   /// comes without it.
   std::filesystem::path reference;
-  std::string compiler;  ///< the C++ compiler for submissions
-  Sandbox sandbox;       ///< in which submissions are compiled and run
+  std::string compiler;                   ///< the C++ compiler for submissions
+  Sandbox sandbox;                        ///< in which submissions are compiled and run
   std::shared_ptr<ScratchFolder> copies;  ///< of include and kit, where they must be copied
 };
 

@@ -39,7 +39,7 @@ struct CaseReport {
   std::string output;    ///< what the code printed in this case, cut off
   std::uint64_t output_bytes = 0;
   std::string figure;  ///< the name of the file with its picture; empty if none was written
-  MeshScene scene;  ///< the step that went wrong, for the viewer; mostly empty
+  MeshScene scene;     ///< the step that went wrong, for the viewer; mostly empty
 };
 
 struct GroupReport {
@@ -116,7 +116,6 @@ struct JudgedExercise {
 
 /// Adds up the points and collects what there is to say.
 Report make_report(const Assignment& assignment, const Submission& submission,
-                   const Build& build,
-                   const std::vector<JudgedExercise>& exercises);
+                   const Build& build, const std::vector<JudgedExercise>& exercises);
 
 }  // namespace meshgrade
