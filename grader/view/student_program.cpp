@@ -60,7 +60,7 @@ CaseReport StudentProgram::tell(const std::string& exercise, const std::string& 
   judged.output = outcome.output;
   judged.output_bytes = outcome.output_bytes;
   told.cases.push_back(std::move(judged));
-  return make_report(assignment_, *sources_, files_, {told}).exercises[0].cases[0];
+  return make_report(assignment_, *sources_, *build_, {told}).exercises[0].cases[0];
 }
 
 }  // namespace meshgrade
