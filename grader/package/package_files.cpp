@@ -38,8 +38,9 @@ void copy_folder(const fs::path& from, const fs::path& to) {
 
 std::vector<PackagePart> grader_parts() {
   std::vector<PackagePart> parts;
-  for (const char* part : {"LICENSE", "CMakeLists.txt", "CMakePresets.json", ".gitignore",
-                           "cmake", "meshgrade", "include", "grader", "meshes"}) {
+  for (const char* part :
+       {"LICENSE", "CMakeLists.txt", "CMakePresets.json", ".gitignore", "cmake", "meshgrade",
+        "include", "grader", "meshes", "viewer/dist"}) {
     parts.push_back({part, part});
   }
   return parts;
