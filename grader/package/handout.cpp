@@ -11,7 +11,7 @@ std::vector<PackagePart> handout_parts() {
   parts.push_back({"docs/handout.md", "README.md"});
   for (const char* page :
        {"student.md", "installing.md", "rules.md", "report.md", "report.schema.json",
-        "formats.md", "dropin.md", "assignment.md", "exercises"}) {
+        "formats.md", "dropin.md", "assignment.md", "exercises", "viewer.md", "pictures"}) {
     const std::string path = std::string("docs/") + page;
     parts.push_back({path, path});
   }
