@@ -40,8 +40,10 @@ void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind ki
     const std::string title =
         std::string(verb(kind)) + " the " + place + edge_text(edge) + " of " + file;
     add_operations(maker, group, title, {file, mesh, Anchoring::kAsBuilt, operations});
-    if (choice == EdgeChoice::kBoundary) continue;
-    add_operations(maker, group, title + ", which its ends and faces anchor",
+    const char* anchored = choice == EdgeChoice::kBoundary
+                               ? ", whose half-edge is the one outside"
+                               : ", which its ends and faces anchor";
+    add_operations(maker, group, title + anchored,
                    {file, mesh, Anchoring::kOnEdge, operations});
   }
 }

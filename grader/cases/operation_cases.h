@@ -21,8 +21,9 @@ void add_operations(CaseMaker& maker, const std::string& group, const std::strin
 
 enum class EdgeChoice { kInner, kBoundary };
 
-/// Adds one case for every boundary edge of a mesh file, or two for every inner one: with the
-/// anchors as they are built, and with all of them on that edge.
+/// Adds two cases for every boundary edge of a mesh file, or for every inner one: with the
+/// anchors as they are built, and with the others. At the boundary, those have the half-edge
+/// outside as the edge's own.
 void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,
                     const std::string& file, EdgeChoice choice);
 
