@@ -79,7 +79,7 @@ class SlurmRun {
     job.options = batch_.cluster.sbatch;
     job.cpus_per_task = batch_.how.jobs;
     write_file_safely(job.script, script(round));
-    const std::string number = submit(job);
+    std::string number = submit(job);
     tasks_.remember_job(number);
     std::cerr << "job " << number << ": " << plural(job.tasks, "task") << " for "
               << plural(pending_.size(), "hand-in") << "\n";

@@ -103,6 +103,42 @@ void judge_fault(const ExerciseJudge& judge, const Outcome& outcome, CaseJudgeme
   judgement.findings.push_back(std::move(finding));
 }
 
+/// The endings by a limit.
+void tell_limit(const Outcome& outcome, Verdict& verdict, Finding& finding) {
+  switch (outcome.ending) {
+    case Ending::kOutOfTime:
+      verdict = Verdict::kOutOfTime;
+      finding.rule = "out-of-time";
+      finding.actual = outcome.subject.empty() ? "the time limit was reached" : outcome.subject;
+      finding.look_at = "a loop that does not end, or waiting (sleep, input)";
+      break;
+    case Ending::kOutOfMemory:
+      verdict = Verdict::kOutOfMemory;
+      finding.rule = "out-of-memory";
+      finding.actual = "the memory limit was reached";
+      finding.look_at = "a loop that adds elements without end";
+      break;
+    case Ending::kTooManyProcesses:
+      verdict = Verdict::kTooManyProcesses;
+      finding.rule = "process-limit";
+      finding.actual = "the code started more processes or threads than are allowed";
+      finding.look_at = "calls of fork(), and threads in a loop";
+      break;
+    case Ending::kTooManyFiles:
+      verdict = Verdict::kTooManyFiles;
+      finding.rule = "file-limit";
+      finding.actual = "the code had as many files open as are allowed";
+      finding.look_at = "files that are opened and never closed";
+      break;
+    default:
+      verdict = Verdict::kTooMuchOutput;
+      finding.rule = "output-limit";
+      finding.look_at = "a loop that prints without end";
+      finding.actual = "the code printed or left behind more than is allowed";
+      break;
+  }
+}
+
 /// All endings but kDone and kFault.
 void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
   Finding finding;
@@ -123,35 +159,8 @@ void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
       finding.rule = "exception";
       finding.actual = "an exception left the function: " + outcome.subject;
       break;
-    case Ending::kOutOfTime:
-      judgement.verdict = Verdict::kOutOfTime;
-      finding.rule = "out-of-time";
-      finding.actual = outcome.subject.empty() ? "the time limit was reached" : outcome.subject;
-      finding.look_at = "a loop that does not end, or waiting (sleep, input)";
-      break;
-    case Ending::kOutOfMemory:
-      judgement.verdict = Verdict::kOutOfMemory;
-      finding.rule = "out-of-memory";
-      finding.actual = "the memory limit was reached";
-      finding.look_at = "a loop that adds elements without end";
-      break;
-    case Ending::kTooManyProcesses:
-      judgement.verdict = Verdict::kTooManyProcesses;
-      finding.rule = "process-limit";
-      finding.actual = "the code started more processes or threads than are allowed";
-      finding.look_at = "calls of fork(), and threads in a loop";
-      break;
-    case Ending::kTooManyFiles:
-      judgement.verdict = Verdict::kTooManyFiles;
-      finding.rule = "file-limit";
-      finding.actual = "the code had as many files open as are allowed";
-      finding.look_at = "files that are opened and never closed";
-      break;
     default:
-      judgement.verdict = Verdict::kTooMuchOutput;
-      finding.rule = "output-limit";
-      finding.look_at = "a loop that prints without end";
-      finding.actual = "the code printed or left behind more than is allowed";
+      tell_limit(outcome, judgement.verdict, finding);
       break;
   }
   finding.meaning = "the function does its work and returns";

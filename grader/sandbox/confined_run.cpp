@@ -167,7 +167,7 @@ ProcessResult run_confined(const Sandbox& sandbox, Command command, const Bounds
                                           3 + static_cast<int>(command.shared_files.size()));
   command.shared_files.push_back(report.get());
   command.ends_its_own = sandbox.layer != Layer::kNamespaces;
-  const ProcessResult result = run_process(command);
+  ProcessResult result = run_process(command);
   require_start(read_text(report.get()), program, result);
   return result;
 }

@@ -202,7 +202,7 @@ class ViewServer::Impl {
         path, [this, view](const Json& request) { return view(session_.program(), request); });
   }
 
-  void add_question(const std::string& path, std::function<Json(const Json&)> question) {
+  void add_question(const std::string& path, const std::function<Json(const Json&)>& question) {
     server_.Post(
         path, [this, question](const httplib::Request& request, httplib::Response& response) {
           const std::lock_guard<std::mutex> lock(session_mutex_);

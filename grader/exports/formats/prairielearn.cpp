@@ -45,7 +45,7 @@ std::string write_prairielearn(const StudentResult& result, const ExportOptions&
   }
   // Control characters and quotes take more room in JSON than their own.
   for (std::size_t most_output = 16'384;; most_output /= 2) {
-    const std::string text = dump(to_value(*result.report, options, most_output));
+    std::string text = dump(to_value(*result.report, options, most_output));
     if (text.size() <= kMostBytes || most_output < 64) return text;
   }
 }
