@@ -62,13 +62,13 @@ TEST(Batch, WhatHasNotChangedIsNotGradedAgain) {
   EXPECT_THAT(made.graded(), ElementsAre("ann", "bob", "cem"));
   made.run();
   EXPECT_THAT(made.graded(), ElementsAre("cem")) << "a fault of the grader is tried again";
-  EXPECT_TRUE(made.steps_["ann"].kept);
-  EXPECT_EQ(made.steps_["bob"].points, 2.0);
+  EXPECT_TRUE(made.steps["ann"].kept);
+  EXPECT_EQ(made.steps["bob"].points, 2.0);
   made.hand_in("bob", "9");
   made.run();
   EXPECT_THAT(made.graded(), ElementsAre("bob", "cem"));
   EXPECT_EQ(made.result_of("bob").report->points, 9.0);
-  made.grading_.identity = "grader 2";
+  made.grading.identity = "grader 2";
   made.run();
   EXPECT_THAT(made.graded(), ElementsAre("ann", "bob", "cem"));
 }
@@ -97,7 +97,7 @@ TEST(Batch, ADamagedResultIsNoticedAndRedone) {
       write_file(made.store().folder_of("bob") / file, text);
       made.run();
       EXPECT_THAT(made.graded(), ElementsAre("bob")) << file;
-      EXPECT_EQ(made.steps_["bob"].reason, "its result is damaged");
+      EXPECT_EQ(made.steps["bob"].reason, "its result is damaged");
       EXPECT_EQ(made.result_of("bob").report->points, 2.0);
     }
   }
@@ -105,7 +105,7 @@ TEST(Batch, ADamagedResultIsNoticedAndRedone) {
 
 TEST(Batch, FilesOfTheirOwnLieBesideTheReport) {
   MadeUpClass made(MadeUpClass::Texts{{"ann", "10"}});
-  made.grading_.add_files = [](Report& report, const fs::path& folder) {
+  made.grading.add_files = [](Report& report, const fs::path& folder) {
     write_file(folder / "picture.svg", "<svg/>");
     report.notes.emplace_back("see picture.svg");
   };
@@ -117,7 +117,7 @@ TEST(Batch, FilesOfTheirOwnLieBesideTheReport) {
 TEST(Batch, AStoppedBatchGoesOn) {
   MadeUpClass made({{"ann", "10"}, {"bob", "2"}, {"cem", "3"}});
   BatchOptions options;
-  options.stop = [&] { return !made.steps_.empty(); };
+  options.stop = [&] { return !made.steps.empty(); };
   EXPECT_FALSE(made.run(options));
   EXPECT_TRUE(made.run());
   for (const char* who : {"ann", "bob", "cem"})
@@ -196,7 +196,7 @@ TEST(Batch, NothingIsWrittenOutsideTheResults) {
   MadeUpClass made({{"ann", "10"}, {"C:con", "3"}});
   made.run();
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(made.scratch_.path()))
+  for (const auto& entry : fs::directory_iterator(made.scratch.path()))
     names.push_back(entry.path().filename().string());
   EXPECT_THAT(names, testing::UnorderedElementsAre("submissions", "results", "log"));
 }

@@ -72,20 +72,20 @@ class MadeUpClass {
     write_file(submissions() / who / "flip.cpp", text);
   }
 
-  std::filesystem::path submissions() const { return scratch_.path() / "submissions"; }
-  std::filesystem::path results() const { return scratch_.path() / "results"; }
-  std::filesystem::path log() const { return scratch_.path() / "log"; }
+  std::filesystem::path submissions() const { return scratch.path() / "submissions"; }
+  std::filesystem::path results() const { return scratch.path() / "results"; }
+  std::filesystem::path log() const { return scratch.path() / "log"; }
 
   /// Grades them; the log says afterwards who was graded in this run.
   bool run(BatchOptions options = {}, const std::vector<std::string>& only = {}) {
     const Roster roster = read_roster(submissions(), {});
     std::filesystem::remove(log());
-    steps_.clear();
+    steps.clear();
     options.chosen = choose_hand_ins(roster, only);
     options.progress = [&](const BatchStep& step) {
-      steps_[roster.hand_ins[step.hand_in].key] = step;
+      steps[roster.hand_ins[step.hand_in].key] = step;
     };
-    return run_batch(roster, grading_, BatchFolder(results()), options);
+    return run_batch(roster, grading, BatchFolder(results()), options);
   }
 
   /// Who was graded in the last run, sorted.
@@ -101,9 +101,9 @@ class MadeUpClass {
   ResultStore store() const { return result_store(results()); }
   Result result_of(const std::string& who) const { return store().load(who); }
 
-  ScratchFolder scratch_;
-  Grading grading_ = made_up_grading(log());
-  std::map<std::string, BatchStep> steps_;  ///< of the last run
+  ScratchFolder scratch;
+  Grading grading = made_up_grading(log());
+  std::map<std::string, BatchStep> steps;  ///< of the last run
 };
 
 }  // namespace meshgrade

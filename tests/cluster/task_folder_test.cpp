@@ -12,7 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::IsEmpty;
-using testing::UnorderedElementsAre;
 
 Result result(const std::string& key, const std::string& fingerprint, double points) {
   Result made;

@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
-using testing::Not;
 
 const fs::path kProject = MESHGRADE_SOURCE_DIR;
 const fs::path kAssignment = kProject / "grader" / "assignment.toml";

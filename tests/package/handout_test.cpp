@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 const fs::path kProject = MESHGRADE_SOURCE_DIR;
 const fs::path kAssignment = kProject / "grader" / "assignment.toml";
