@@ -43,20 +43,20 @@ const int kKills = is_whole() ? 20 : 5;
 class GeneratedClass : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    scratch_ = new ScratchFolder();
-    students_ = generate_class(scratch_->path() / "class", kStudents);
-    assignment_ = write_class_assignment(scratch_->path() / "assignment.toml");
+    scratch = new ScratchFolder();
+    students = generate_class(scratch->path() / "class", kStudents);
+    assignment = write_class_assignment(scratch->path() / "assignment.toml");
   }
-  static void TearDownTestSuite() { delete scratch_; }
+  static void TearDownTestSuite() { delete scratch; }
 
   static std::vector<std::string> words(const fs::path& submissions, const fs::path& results,
                                         unsigned jobs) {
     return {MESHGRADE_PROGRAM,   "batch",        submissions.string(), "-o",
-            results.string(),    "--assignment", assignment_.string(), "--jobs",
+            results.string(),    "--assignment", assignment.string(),  "--jobs",
             std::to_string(jobs)};
   }
 
-  static fs::path place(const std::string& name) { return scratch_->path() / name; }
+  static fs::path place(const std::string& name) { return scratch->path() / name; }
 
   /// Grades to the end.
   static void grade(const fs::path& submissions, const fs::path& results, unsigned jobs) {
@@ -117,7 +117,7 @@ class GeneratedClass : public testing::Test {
     const auto all = grades(results);
     EXPECT_EQ(all.size(), count);
     for (std::size_t i = 0; i < count; ++i) {
-      const GeneratedStudent& student = students_[i];
+      const GeneratedStudent& student = students[i];
       const auto found = all.find(name(student));
       ASSERT_NE(found, all.end()) << student.id << " is lost";
       EXPECT_EQ(found->second.status, student.status) << student.id << " " << student.kind;
@@ -128,9 +128,9 @@ class GeneratedClass : public testing::Test {
 
   static std::string same_id(const GeneratedStudent& student) { return student.id; }
 
-  static inline ScratchFolder* scratch_ = nullptr;
-  static inline std::vector<GeneratedStudent> students_;
-  static inline fs::path assignment_;
+  static inline ScratchFolder* scratch = nullptr;
+  static inline std::vector<GeneratedStudent> students;
+  static inline fs::path assignment;
 };
 
 TEST_F(GeneratedClass, GetsItsPointsAtTwoJobs) {
@@ -159,9 +159,9 @@ class ClassInLayout : public GeneratedClass {
   template <class Place>
   static void arrange(const fs::path& to, Place place_of) {
     for (std::size_t i = 0; i < kStudentsOfALayout; ++i) {
-      const fs::path own = to / place_of(students_[i]);
+      const fs::path own = to / place_of(students[i]);
       fs::create_directories(own);
-      fs::copy(students_[i].folder, own,
+      fs::copy(students[i].folder, own,
                fs::copy_options::recursive | fs::copy_options::copy_symlinks);
     }
   }
@@ -171,16 +171,16 @@ class ClassInLayout : public GeneratedClass {
   static void arrange_files(const fs::path& to, Start start_of_name) {
     fs::create_directories(to);
     for (std::size_t i = 0; i < kStudentsOfALayout; ++i) {
-      const std::string start = start_of_name(students_[i]);
+      const std::string start = start_of_name(students[i]);
       std::vector<fs::path> files;
-      for (const auto& entry : fs::directory_iterator(students_[i].folder))
+      for (const auto& entry : fs::directory_iterator(students[i].folder))
         files.push_back(entry.path());
       if (files.size() == 1 && !fs::is_symlink(files[0])) {
         fs::copy(files[0], to / (start + files[0].filename().string()));
         continue;
       }
       std::vector<MadeEntry> entries;
-      for (const auto& entry : fs::directory_iterator(students_[i].folder)) {
+      for (const auto& entry : fs::directory_iterator(students[i].folder)) {
         if (entry.is_symlink()) {
           entries.push_back({entry.path().filename().string(), "", AE_IFLNK, "/etc/passwd"});
         } else {
@@ -219,8 +219,8 @@ TEST_F(ClassInLayout, Moodle) {
 TEST_F(ClassInLayout, Gradescope) {
   std::string metadata;
   for (std::size_t i = 0; i < kStudentsOfALayout; ++i) {
-    metadata += "submission_" + number(students_[i]) + ":\n  :submitters:\n  - :name: N\n" +
-                "    :sid: " + students_[i].id + "\n    :email: e@x.edu\n";
+    metadata += "submission_" + number(students[i]) + ":\n  :submitters:\n  - :name: N\n" +
+                "    :sid: " + students[i].id + "\n    :email: e@x.edu\n";
   }
   arrange(place("gradescope"),
           [](const GeneratedStudent& s) { return "submission_" + number(s); });
@@ -248,10 +248,10 @@ TEST_F(ClassInLayout, Nbgrader) {
 TEST_F(ClassInLayout, PlainArchive) {
   std::vector<MadeEntry> entries;
   for (std::size_t i = 0; i < kStudentsOfALayout; ++i) {
-    entries.push_back({"class/" + students_[i].id, "", AE_IFDIR});
-    for (const auto& entry : fs::directory_iterator(students_[i].folder)) {
+    entries.push_back({"class/" + students[i].id, "", AE_IFDIR});
+    for (const auto& entry : fs::directory_iterator(students[i].folder)) {
       const std::string name =
-          "class/" + students_[i].id + "/" + entry.path().filename().string();
+          "class/" + students[i].id + "/" + entry.path().filename().string();
       if (!entry.is_symlink()) entries.push_back({name, read_whole_file(entry.path())});
     }
   }
