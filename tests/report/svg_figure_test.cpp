@@ -458,7 +458,8 @@ TEST(SvgFigure, MeshThatIsFarOutsideIsDrawnWithFiniteNumbers) {
   for (const char* never : {"nan", "inf ", " inf", "e+"})
     EXPECT_EQ(text.substr(text.find("</desc>")).find(std::string("=\"") + never),
               std::string::npos);
-  for (const pugi::xpath_node& found : Picture(report).root.select_nodes("//path")) {
+  const Picture picture(report);
+  for (const pugi::xpath_node& found : picture.root.select_nodes("//path")) {
     const std::string d = found.node().attribute("d").as_string();
     EXPECT_EQ(d.find_first_not_of("MLQZ0123456789.- "), std::string::npos) << d;
   }
