@@ -36,7 +36,9 @@ AttackExpectation read_attack(const std::filesystem::path& folder, const Limits&
     }
   }
   AttackExpectation expected;
-  expected.verdict = table["verdict"].value<std::string>().value();
+  expected.verdicts = texts(table, "verdict");
+  if (expected.verdicts.empty())
+    expected.verdicts = {table["verdict"].value<std::string>().value()};
   expected.points = table["points"].value<double>().value();
   expected.says = texts(table, "says");
   expected.hides = texts(table, "hides");

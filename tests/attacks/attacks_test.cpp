@@ -2,6 +2,7 @@
 // provide. The points stay what its mesh deserves; nothing of the instructor's is read, written
 // or shown; nothing is left running or lying about. Its expected.toml says the rest.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -117,8 +118,9 @@ void expect_no_harm(const Report& report, const AttackExpectation& expected,
   expect_harmless_text(page);
   EXPECT_FALSE(report.has_grader_error());
   EXPECT_EQ(report.points, expected.points);
-  if (expected.verdict != "any") {
-    EXPECT_EQ(verdict_name(report.exercises.at(0).verdict), expected.verdict);
+  if (expected.verdicts != std::vector<std::string>{"any"}) {
+    EXPECT_THAT(expected.verdicts,
+                testing::Contains(verdict_name(report.exercises.at(0).verdict)));
   }
   for (const std::string& text : expected.says)
     EXPECT_NE(page.find(text), std::string::npos) << "the report does not say: " << text;

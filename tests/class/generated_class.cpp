@@ -112,14 +112,24 @@ void add_ungradable(std::vector<KindOfWork>& kinds) {
   }));
 }
 
+/// All kinds, dealt in turn from each group, so that the first few hold some of every group.
 std::vector<KindOfWork> all_kinds() {
-  std::vector<KindOfWork> kinds;
-  add_known_wrong(kinds);
-  std::sort(kinds.begin(), kinds.end(),
+  std::vector<std::vector<KindOfWork>> groups(4);
+  add_known_wrong(groups[0]);
+  std::sort(groups[0].begin(), groups[0].end(),
             [](const KindOfWork& a, const KindOfWork& b) { return a.name < b.name; });
-  add_right(kinds);
-  add_hostile(kinds);
-  add_ungradable(kinds);
+  add_right(groups[1]);
+  add_hostile(groups[2]);
+  add_ungradable(groups[3]);
+  std::size_t count = 0;
+  for (const std::vector<KindOfWork>& group : groups)
+    count += group.size();
+  std::vector<KindOfWork> kinds;
+  for (std::size_t i = 0; kinds.size() < count; ++i) {
+    for (const std::vector<KindOfWork>& group : groups) {
+      if (i < group.size()) kinds.push_back(group[i]);
+    }
+  }
   return kinds;
 }
 
@@ -129,7 +139,7 @@ std::vector<GeneratedStudent> generate_class(const fs::path& folder, std::size_t
   const std::vector<KindOfWork> kinds = all_kinds();
   std::vector<GeneratedStudent> students;
   for (std::size_t i = 0; i < count; ++i) {
-    const KindOfWork& kind = kinds[i * 7 % kinds.size()];
+    const KindOfWork& kind = kinds[i % kinds.size()];
     const std::string digits = std::to_string(1000 + i).substr(1);
     const fs::path own = folder / ("student" + digits);
     fs::create_directories(own);
