@@ -108,6 +108,9 @@ constexpr std::uint64_t kMemoryToReport = std::uint64_t{256} << 20U;
 /// Room in the result file beyond its limit in which the ends of tasks are written down.
 constexpr std::uint64_t kRoomForEnds = std::uint64_t{1} << 20U;
 
+/// The worker ends with this when it cannot do its own part, and says on stderr why.
+constexpr int kWorkerFailedStatus = 91;
+
 /// File descriptors that the worker is started with.
 constexpr int kTaskFile = 3;
 constexpr int kResultFile = 4;

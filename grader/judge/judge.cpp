@@ -5,6 +5,7 @@
 #include <map>
 
 #include "grader/base/errors.h"
+#include "grader/base/protocol.h"
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
 #include "grader/judge/findings.h"
@@ -139,6 +140,24 @@ void tell_limit(const Outcome& outcome, Verdict& verdict, Finding& finding) {
   }
 }
 
+/// The worker's own status may also be a student's: which of them it was, nobody can tell.
+void tell_exit(int status, Finding& finding) {
+  finding.rule = "exit";
+  if (status == kWorkerFailedStatus) {
+    finding.look_at =
+        "nothing at first: run the check again. If it stays, calls of exit() in constructors "
+        "of "
+        "global objects";
+    finding.actual =
+        "the program ended before it called the function: most likely this machine "
+        "had no memory or no processes left";
+    return;
+  }
+  finding.look_at = "calls of exit()";
+  finding.actual =
+      "the code ended the whole program (exit status " + std::to_string(status) + ")";
+}
+
 /// All endings but kDone and kFault.
 void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
   Finding finding;
@@ -150,10 +169,7 @@ void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
       finding.actual = std::string("the program crashed: ") + signal_text(outcome.code);
       break;
     case Ending::kExit:
-      finding.rule = "exit";
-      finding.look_at = "calls of exit()";
-      finding.actual =
-          "the code ended the whole program (exit status " + std::to_string(outcome.code) + ")";
+      tell_exit(outcome.code, finding);
       break;
     case Ending::kException:
       finding.rule = "exception";

@@ -9,8 +9,6 @@ namespace meshgrade {
 constexpr int kTaskRecordedStatus = 90;
 /// The child ends with this after it has noted a signal in the shared state.
 constexpr int kSignalNotedStatus = 92;
-/// The worker ends with this when it cannot do its own part.
-constexpr int kWorkerFailedStatus = 91;
 
 /// Runs the tasks from the first that is not done. Never returns: ends the process.
 [[noreturn]] void run_tasks(const TaskList& list, SharedState& shared);

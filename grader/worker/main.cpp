@@ -14,9 +14,11 @@
 #endif
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 
 #include "grader/base/protocol.h"
@@ -87,16 +89,33 @@ void die_with([[maybe_unused]] pid_t worker) {
 #endif
 }
 
+/// A child; asked for again for a while where the user's processes that are just ending still
+/// count.
+pid_t fork_patiently() {
+  constexpr useconds_t kPause = 50'000;
+  for (int tries = 0; tries < 60; ++tries) {
+    const pid_t child = ::fork();
+    if (child >= 0 || errno != EAGAIN) return child;
+    ::usleep(kPause);
+  }
+  return -1;
+}
+
+[[noreturn]] void fail(const char* what) {
+  std::fprintf(stderr, "worker: %s: %s\n", what, std::strerror(errno));
+  std::exit(kWorkerFailedStatus);
+}
+
 /// Runs tasks in one child, from the first that is not done. @return false if all are done
 bool run_some(const TaskList& list, SharedState& shared) {
   int life_line[2];
-  if (::pipe(life_line) != 0) std::exit(kWorkerFailedStatus);
+  if (::pipe(life_line) != 0) fail("cannot make a pipe");
   shared.signal = 0;
   shared.stack_size = 0;
   const std::uint32_t first = shared.tasks_done;
   const pid_t worker = ::getpid();
-  const pid_t child = ::fork();
-  if (child < 0) std::exit(kWorkerFailedStatus);
+  const pid_t child = fork_patiently();
+  if (child < 0) fail("cannot start a process");
   if (child == 0) {
     die_with(worker);
     ::close(life_line[0]);
@@ -143,7 +162,7 @@ int run_worker() {
   if (!read_task_list(list)) return kWorkerFailedStatus;
   void* memory = ::mmap(nullptr, sizeof(SharedState), PROT_READ | PROT_WRITE,
                         MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) return kWorkerFailedStatus;
+  if (memory == MAP_FAILED) fail("cannot share memory");
   auto* shared = ::new (memory) SharedState;
   if (list.tasks.empty()) return 0;
   while (run_some(list, *shared)) {
