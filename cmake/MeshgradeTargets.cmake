@@ -4,7 +4,8 @@
 add_library(meshgrade_options INTERFACE)
 target_compile_features(meshgrade_options INTERFACE cxx_std_20)
 target_compile_options(meshgrade_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Werror)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wsuggest-override
+  -Wzero-as-null-pointer-constant -Werror)
 # False alarms of GCC 12: `"text" + string` as a copy onto itself, and with the sanitizers on,
 # values that are never set.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -20,6 +21,21 @@ if(MESHGRADE_SANITIZE)
   target_link_options(meshgrade_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+# meshgrade_precompiled(<name> <headers...>)
+#
+# Headers that nearly every source of a folder includes, compiled once for its targets, which
+# take them by REUSE_FROM. Each source still includes what it uses: clang-tidy reads it without.
+function(meshgrade_precompiled name)
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  file(CONFIGURE OUTPUT "${source}" CONTENT "// Only its precompiled headers are wanted.\n")
+  add_library(${name} OBJECT "${source}")
+  target_link_libraries(${name} PRIVATE nlohmann_json::nlohmann_json meshgrade_options)
+  target_precompile_headers(${name} PRIVATE
+    <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <iostream>
+    <map> <memory> <optional> <set> <sstream> <string> <string_view> <vector>
+    <nlohmann/json.hpp> ${ARGN})
+endfunction()
+
 # meshgrade_room(<name> SOURCES <files...> [USES <targets...>])
 #
 # One room of the grader is one static library, so that the linker sees the
@@ -31,4 +47,5 @@ function(meshgrade_room name)
   target_include_directories(meshgrade_${name} PUBLIC "${PROJECT_SOURCE_DIR}")
   target_link_libraries(meshgrade_${name} PUBLIC ${ROOM_USES} PRIVATE meshgrade_options)
   target_compile_features(meshgrade_${name} PUBLIC cxx_std_20)
+  target_precompile_headers(meshgrade_${name} REUSE_FROM ${MESHGRADE_ROOM_HEADERS})
 endfunction()
