@@ -2,6 +2,7 @@
 
 #include <csignal>
 
+#include "grader/base/protocol.h"
 #include "grader/judge/judge.h"
 #include "meshedit/fault.h"
 #include "tests/support/right_answers.h"
@@ -55,6 +56,8 @@ TEST(JudgeCase, EveryEndingHasItsVerdictAndRule) {
   expect(judge(id, ended(Ending::kSignal, SIGABRT)), Verdict::kCrashed, "crash", "aborted");
   expect(judge(id, ended(Ending::kSignal, SIGILL)), Verdict::kCrashed, "crash", "return");
   expect(judge(id, ended(Ending::kExit, 7)), Verdict::kCrashed, "exit", "status 7");
+  expect(judge(id, ended(Ending::kExit, kWorkerFailedStatus)), Verdict::kCrashed, "exit",
+         "before it called the function");
   expect(judge(id, ended(Ending::kException, 0, "bad thing")), Verdict::kCrashed, "exception",
          "bad thing");
   expect(judge(id, ended(Ending::kOutOfTime)), Verdict::kOutOfTime, "out-of-time", "time");
