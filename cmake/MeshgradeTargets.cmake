@@ -11,7 +11,7 @@ target_compile_options(meshgrade_options INTERFACE
 # set.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(meshgrade_options INTERFACE
-    -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds
+    -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
     $<$<BOOL:${MESHGRADE_SANITIZE}>:-Wno-maybe-uninitialized>)
 endif()
 if(MESHGRADE_FUZZ)
