@@ -136,6 +136,9 @@ std::size_t processes_of(const fs::path& folder) {
 TEST_F(BatchCommand, WhenItIsKilledNoStudentsCodeRunsOn) {
   write_file(class_ / "eve" / "edge_flip.cpp",
              read_whole_file(wrong("edge_flip/sleeps/edge_flip.cpp")));
+  // Where another user comes to the results, the submission runs there.
+  fs::permissions(scratch_.path(), fs::perms::others_exec | fs::perms::group_exec,
+                  fs::perm_options::add);
   const pid_t process = ::fork();
   if (process == 0) {
     batch({"-o", results_.string(), "--only", "eve"});
