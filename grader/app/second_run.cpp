@@ -16,14 +16,17 @@ std::size_t passed_cases(const JudgedExercise& exercise) {
       [](const JudgedCase& c) { return c.judgement.verdict == Verdict::kPassed; }));
 }
 
+std::string pass_instead_of(const JudgedExercise& second, std::size_t first_passed) {
+  return std::to_string(passed_cases(second)) + " of " + plural(second.cases.size(), "case") +
+         " pass, instead of " + std::to_string(first_passed);
+}
+
 /// The notes of a run in which the stand-ins were linked.
 std::vector<std::string> notes_of_second(const std::string& causes, std::size_t first_passed,
                                          const JudgedExercise& second) {
-  std::vector<std::string> notes{"so it was run again with a right solution of " + causes +
-                                 " in place of yours: " + std::to_string(passed_cases(second)) +
-                                 " of " + plural(second.cases.size(), "case") +
-                                 " pass, instead of " + std::to_string(first_passed) +
-                                 "; these points count"};
+  std::vector<std::string> notes{
+      "so it was run again with a right solution of " + causes +
+      " in place of yours: " + pass_instead_of(second, first_passed) + "; these points count"};
   notes.insert(notes.end(), second.notes.begin(), second.notes.end());
   return notes;
 }
@@ -39,6 +42,31 @@ JudgedExercise judge_second(const Assignment& assignment, const Home& home,
   }
   return judge_exercise(assignment, home, candidate, *first.judged.rubric, first.cases,
                         outcomes);
+}
+
+/// A function can do all that its own exercise asks, and not what its caller relies on: which
+/// of the new edges are marked is the business of both. Names the one for which a right one,
+/// standing in its place, makes more cases pass. The points stay.
+void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
+                            const Submission& submission,
+                            const std::vector<JudgedExercise>& needed, ExerciseRun& run) {
+  const std::size_t first_passed = passed_cases(run.judged);
+  // The one that is called first comes last: what it leaves behind is what the others meet.
+  for (auto exercise = needed.rbegin(); exercise != needed.rend(); ++exercise) {
+    const ExerciseRubric& rubric = *exercise->rubric;
+    const std::vector<StandIn> stand_in{{rubric.name, find_exercise_judge(rubric).functions}};
+    const auto changed = with_stand_ins(submission, home, stand_in);
+    if (!changed) return;
+    const Build build = build_submission(*changed, home, assignment.limits);
+    if (!has_stand_ins(build, stand_in)) continue;
+    const JudgedExercise second = judge_second(assignment, home, {*changed, build}, run);
+    if (passed_cases(second) <= first_passed) continue;
+    run.judged.notes.push_back("with a right " + rubric.name + " in place of yours, " +
+                               pass_instead_of(second, first_passed) + ": your " + rubric.name +
+                               " passes on its own, but leaves something else than this code "
+                               "relies on, such as isNew of what is new");
+    return;
+  }
 }
 
 }  // namespace
@@ -57,7 +85,8 @@ void run_with_stand_ins(const Assignment& assignment, const Home& home,
     wrong.push_back(rubric.name);
     stand_ins.push_back({rubric.name, find_exercise_judge(rubric).functions});
   }
-  if (stand_ins.empty()) return;
+  if (stand_ins.empty())
+    return tell_what_it_relies_on(assignment, home, submission, needed, run);
   const std::string causes = join(wrong, " and ");
   const auto changed = with_stand_ins(submission, home, stand_ins);
   if (!changed) {

@@ -9,7 +9,9 @@ namespace meshgrade {
 /// Loop subdivision calls the student's own flip and split. When these fail, says so, and runs
 /// it once more with the reference's in their place, so that each exercise is judged on its
 /// own: a case counts as passed if it passes in either run, and otherwise the second run tells
-/// what is wrong. Without the reference only says so.
+/// what is wrong. When they are right, and yet more cases pass with one of the reference's in
+/// its place, says which one: it leaves something else than its caller relies on. Without the
+/// reference only says so.
 ///
 /// `run` is of an exercise that has not all cases passed; `needed` are the exercises that it
 /// needs, judged.

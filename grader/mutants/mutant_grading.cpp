@@ -55,6 +55,13 @@ bool names_function(const CaseReport& c, const std::string& function) {
   return contains_word(c.title, function);
 }
 
+/// A mistake that only the caller can see is named in a note of the caller's exercise.
+bool blames(const std::vector<std::string>& notes, const std::string& exercise) {
+  const std::string words = "with a right " + exercise + " in place of yours, ";
+  return std::any_of(notes.begin(), notes.end(),
+                     [&](const std::string& note) { return note.rfind(words, 0) == 0; });
+}
+
 Graded summarise(const Report& report, const Mutant& mutant, bool has_many_functions) {
   Graded graded;
   for (const FileReport& file : report.files) {
@@ -69,7 +76,8 @@ Graded summarise(const Report& report, const Mutant& mutant, bool has_many_funct
     if (is_full(exercise)) continue;
     graded.fate = Fate::kKilled;
     graded.first_exercise = exercise.name;
-    graded.names_function = exercise.name == mutant.exercise;
+    graded.names_function =
+        exercise.name == mutant.exercise || blames(exercise.notes, mutant.exercise);
     for (const CaseReport& c : exercise.cases) {
       if (c.verdict == Verdict::kPassed || c.verdict == Verdict::kNotJudged) continue;
       graded.verdict = verdict_name(c.verdict);

@@ -48,6 +48,26 @@ TEST_F(SecondRun, IsNotNeededWhenAllIsRight) {
   EXPECT_THAT(report.stand_ins, IsEmpty());
 }
 
+// Only the caller can see which edges are marked as new: the split's own exercise leaves it
+// open.
+TEST_F(SecondRun, NamesASplitThatMarksNothingForASubdivisionThatReliesOnIt) {
+  const SourceFile forgetful =
+      altered("edge_split.cpp", "new_edge->isNew = true;", "new_edge->isNew = false;");
+  const ExerciseReport report = loop_of(files(flip_, forgetful, loop_));
+  EXPECT_EQ(report.verdict, Verdict::kFailed);
+  EXPECT_THAT(report.stand_ins, IsEmpty()) << "the points are those of the student's own";
+  EXPECT_THAT(
+      report.notes,
+      Contains(HasSubstr("with a right edge_split in place of yours, 26 of 26 cases pass")));
+}
+
+TEST_F(SecondRun, BlamesNoSplitForASubdivisionThatIsWrongItself) {
+  const SourceFile wrong =
+      altered("loop_subdivision.cpp", "3.0 / 8.0 * ends", "2.0 / 8.0 * ends");
+  for (const std::string& note : loop_of(files(flip_, split_, wrong)).notes)
+    EXPECT_THAT(note, testing::Not(HasSubstr("in place of yours")));
+}
+
 TEST_F(SecondRun, GivesARightSubdivisionItsPointsDespiteABrokenSplit) {
   const ExerciseReport report = loop_of(files(flip_, broken_split(), loop_));
   EXPECT_EQ(report.verdict, Verdict::kPassed);

@@ -28,4 +28,14 @@ inline SourceFile spoiled(const std::string& name, const std::string& last,
   return file;
 }
 
+/// The reference's file with one text in place of another, where that stands first.
+inline SourceFile altered(const std::string& name, const std::string& was,
+                          const std::string& becomes) {
+  SourceFile file = reference_file(name);
+  const std::size_t at = file.text.find(was);
+  EXPECT_NE(at, std::string::npos) << name << " has no \"" << was << "\"";
+  file.text.replace(at, was.size(), becomes);
+  return file;
+}
+
 }  // namespace meshgrade

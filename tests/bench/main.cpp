@@ -8,6 +8,7 @@
 
 #include "grader/base/errors.h"
 #include "tests/bench/check_bench.h"
+#include "tests/bench/class_bench.h"
 #include "tests/bench/mesh_bench.h"
 
 namespace meshgrade::bench {
@@ -23,12 +24,13 @@ void add_options(CLI::App& app, Arguments& arguments) {
   Selection& selection = arguments.selection;
   app.add_flag("--quick", selection.quick, "Small meshes and few rounds: a minute");
   app.add_option("--only", selection.tables, "Only these tables")
-      ->check(CLI::IsMember(
-          {"build", "normals", "flips", "splits", "loop", "threads", "memory", "check"}));
+      ->check(CLI::IsMember({"build", "normals", "flips", "splits", "loop", "threads", "memory",
+                             "check", "class"}));
   app.add_option("--mesh", selection.meshes, "Only these meshes")
       ->check(CLI::IsMember({"1k", "20k", "330k", "330k shuffled", "1.3M"}));
   app.add_option("--json", arguments.json, "Write all samples and goals to this file as JSON");
-  app.add_option("--program", arguments.program, "The meshgrade program to time `check` of")
+  app.add_option("--program", arguments.program,
+                 "The meshgrade program to time `check` and `batch` of")
       ->check(CLI::ExistingFile);
   app.footer(
       "Examples:\n"
@@ -46,9 +48,12 @@ Results run(const Arguments& arguments) {
   if (arguments.selection.has_table("check")) {
     results.tables.push_back(run_check_bench(arguments.program, arguments.selection.quick));
   }
+  if (arguments.selection.has_table("class")) {
+    results.tables.push_back(run_class_bench(arguments.program, arguments.selection.quick));
+  }
   std::vector<Goal> goals = mesh_goals();
-  for (const Goal& goal : check_goals())
-    goals.push_back(goal);
+  for (const auto& more : {check_goals(), class_goals()})
+    goals.insert(goals.end(), more.begin(), more.end());
   for (const Goal& goal : goals) {
     if (const auto result = evaluate(goal, results.tables)) results.goals.push_back(*result);
   }
