@@ -28,6 +28,7 @@
 #include "grader/batch/class_summary.h"
 #include "grader/cluster/task_folder.h"
 #include "grader/exports/exports.h"
+#include "grader/report/html_report.h"
 #include "grader/report/terminal_report.h"
 
 namespace meshgrade {
@@ -82,12 +83,15 @@ void list_roster(const Roster& roster) {
     std::cout << "  " << left.what << ": " << left.why << "\n";
 }
 
-/// The pictures that the student may see; those of an earlier grading go.
-void add_pictures(Report& report, const fs::path& folder) {
+/// The pictures that the student may see, and with `html` the page that shows them; those of an
+/// earlier grading go.
+void add_student_files(Report& report, const fs::path& folder, bool html) {
   const fs::path pictures = folder / "figures";
   std::error_code ignored;
   fs::remove_all(pictures, ignored);
+  fs::remove(folder / kStudentPage, ignored);
   Report seen = student_view(report);
+  if (html) write_file_safely(folder / kStudentPage, to_html(seen, viewer_page()));
   make_figure_folder(pictures);
   if (write_figures(seen, pictures) == 0) fs::remove(pictures, ignored);
   for (std::size_t i = 0; i < report.exercises.size(); ++i) {
@@ -103,7 +107,9 @@ Grading grading_of(const Assignment& assignment, const BatchCommandOptions& opti
   grading.grade = [&assignment, &options, home](const Submission& submission, unsigned) {
     return grade(assignment, submission, home, options.exercises, [](const std::string&) {});
   };
-  grading.add_files = add_pictures;
+  grading.add_files = [html = options.html](Report& report, const fs::path& folder) {
+    add_student_files(report, folder, html);
+  };
   grading.to_text = [](const Report& report) { return to_terminal(student_view(report), {}); };
   Digest identity;
   identity.add(grader_identity(home))
@@ -191,6 +197,7 @@ std::vector<std::string> task_command(const BatchCommandOptions& options) {
   add("--part", options.roster.assignment);
   add("--jobs", std::to_string(std::max(1U, options.jobs)));
   if (options.require_sandbox) words.emplace_back("--require-sandbox");
+  if (options.html) words.emplace_back("--html");
   return words;
 }
 

@@ -17,8 +17,10 @@ void write_class_pages(const ClassResults& results, const std::filesystem::path&
   for (const ClassRow& row : results.rows) {
     const Result result = store.load(row.key);
     if (!result.report) continue;
-    const std::filesystem::path file = store.folder_of(row.key) / "report.html";
-    write_file_safely(file, to_html(student_view(*result.report), page));
+    const std::filesystem::path file = store.folder_of(row.key) / kStudentPage;
+    // Graded before without pages: what was kept of that has no picture.
+    if (!std::filesystem::exists(file))
+      write_file_safely(file, to_html(student_view(*result.report), page));
     links[row.key] = file.lexically_relative(folder).generic_string();
   }
   const auto value = nlohmann::ordered_json::parse(to_json(results));

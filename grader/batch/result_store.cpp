@@ -117,7 +117,10 @@ void ResultStore::take_over(const ResultStore& other, const std::string& key) co
   const fs::path from = other.folder_of(key);
   const fs::path to = make_folder(key);
   std::error_code error;
+  // The status goes first: without it, nothing else here is believed.
   fs::remove(to / kStatusFile, error);
+  for (const auto& entry : fs::directory_iterator(to))
+    fs::remove_all(entry.path(), error);
   for (const auto& entry : fs::recursive_directory_iterator(from)) {
     const fs::path name = entry.path().lexically_relative(from);
     if (!entry.is_regular_file() || name == kStatusFile) continue;

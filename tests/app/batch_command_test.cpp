@@ -80,6 +80,22 @@ TEST_F(BatchCommand, PicturesLieBesideTheReportUntilNothingIsWrong) {
   EXPECT_FALSE(fs::exists(pictures));
 }
 
+TEST_F(BatchCommand, PagesShowThePicturesAndTheMeshes) {
+  write_file(class_ / "ann" / "edge_flip.cpp",
+             read_whole_file(wrong("edge_flip/next_wrong/edge_flip.cpp")));
+  batch({"-o", results_.string(), "--html"});
+  const fs::path page = results_ / "results" / "ann" / "report.html";
+  const std::string html = read_whole_file(page);
+  const auto says = [&](const char* text) { return html.find(text) != std::string::npos; };
+  EXPECT_TRUE(says("viewBox=\\\"0 0")) << "a picture";
+  EXPECT_TRUE(says("\"scene\":{")) << "the broken mesh";
+  EXPECT_THAT(read_whole_file(results_ / "class.html"), HasSubstr("results/ann/report.html"));
+  batch({"-o", results_.string(), "--html"});
+  EXPECT_TRUE(read_whole_file(page) == html) << "what is kept stays";
+  batch({"-o", results_.string(), "--force"});
+  EXPECT_FALSE(fs::exists(page)) << "a page of an earlier grading would tell old news";
+}
+
 TEST_F(BatchCommand, MistakesAreSaid) {
   EXPECT_EQ(batch({}).status, 2);
   EXPECT_THAT(batch({}).output, HasSubstr("-o RESULTS"));
