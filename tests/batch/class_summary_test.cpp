@@ -93,14 +93,16 @@ TEST(ClassSummary, ARuleCountsOnceForEachHandIn) {
   add("ann", failed_with({"anchor"}, ""));
   add("bob", failed_with({"next-face", "anchor"}, "twins-forgotten"));
   add("eve", failed_with({"malformed"}, ""));
+  add("flo", failed_with({"process-limit"}, ""));
   const ClassSummary summary = summarize(results, store);
-  ASSERT_EQ(summary.rules.size(), 3U);
+  ASSERT_EQ(summary.rules.size(), 4U);
   EXPECT_EQ(summary.rules[0].name, "anchor");
   EXPECT_THAT(summary.rules[0].keys, ElementsAre("ann", "bob"));
   EXPECT_EQ(summary.misconceptions.at(0).name, "twins-forgotten");
   EXPECT_THAT(summary.misconceptions[0].keys, ElementsAre("bob"));
-  ASSERT_EQ(summary.suspicious.size(), 1U);
+  ASSERT_EQ(summary.suspicious.size(), 2U);
   EXPECT_EQ(summary.suspicious[0].key, "eve");
+  EXPECT_EQ(summary.suspicious[1].key, "flo");
 }
 
 TEST(ClassDiff, NamesWhoChangedAndByHowMuch) {
