@@ -52,6 +52,16 @@ Ref add_midpoint(MeshDump& mesh, Ref b, Ref c) {
 
 }  // namespace
 
+Ref find_edge(const MeshDump& mesh, Ref a, Ref b) {
+  for (Ref e = 0; e < mesh.edges.size(); ++e) {
+    if (mesh.edges[e].live == 0) continue;
+    const HalfedgeRecord& h = mesh.halfedges[mesh.edges[e].halfedge];
+    const Ref end = mesh.halfedges[h.twin].vertex;
+    if ((h.vertex == a && end == b) || (h.vertex == b && end == a)) return e;
+  }
+  return kUnsetRef;
+}
+
 bool is_boundary_edge(const MeshDump& mesh, Ref edge) {
   const Ref h = mesh.edges[edge].halfedge;
   return is_outside(mesh, h) || is_outside(mesh, mesh.halfedges[h].twin);

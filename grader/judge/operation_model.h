@@ -7,6 +7,9 @@
 
 namespace meshgrade {
 
+/// The edge between two vertices; kUnsetRef if there is none.
+Ref find_edge(const MeshDump& mesh, Ref a, Ref b);
+
 bool is_boundary_edge(const MeshDump& mesh, Ref edge);
 
 /// The corners around an edge, named as in the textbook: b and c are its ends, a lies opposite

@@ -10,10 +10,4 @@ namespace meshgrade {
 /// step that is wrong, since what follows starts from a wrong mesh.
 void judge_operations(const JudgeTask& task, CaseJudgement& judgement);
 
-/// Judges a single step from a mesh that keeps all rules; of `task`, only the group, the
-/// tolerance and whether to explain matter. `step.edge` is the edge that was asked for.
-/// @throws WireError if the edge is not one of `before`
-void judge_operation(const JudgeTask& task, const MeshDump& before, OperationKind kind,
-                     const OperationStep& step, CaseJudgement& judgement);
-
 }  // namespace meshgrade

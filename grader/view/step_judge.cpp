@@ -1,7 +1,7 @@
 #include "grader/view/step_judge.h"
 
 #include "grader/cases/mesh_input.h"
-#include "grader/judge/operations_judge.h"
+#include "grader/judge/operation_judge.h"
 #include "grader/mesh/mesh_rules.h"
 
 namespace meshgrade {

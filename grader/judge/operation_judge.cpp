@@ -1,0 +1,442 @@
+#include "grader/judge/operation_judge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "grader/base/text.h"
+#include "grader/judge/findings.h"
+#include "grader/judge/operation_advice.h"
+#include "grader/judge/operation_model.h"
+#include "grader/judge/pointer_diff.h"
+#include "grader/judge/surface_match.h"
+#include "grader/mesh/mesh_rules.h"
+
+namespace meshgrade {
+namespace {
+
+using Triangle = std::array<Ref, 3>;
+
+/// The corners of all faces, each turned so that the smallest comes first.
+std::set<Triangle> triangles(const MeshDump& mesh) {
+  std::set<Triangle> result;
+  for (const FaceRecord& f : mesh.faces) {
+    if (f.live == 0) continue;
+    const HalfedgeRecord& x = mesh.halfedges[f.halfedge];
+    const HalfedgeRecord& y = mesh.halfedges[x.next];
+    Triangle t{x.vertex, y.vertex, mesh.halfedges[y.next].vertex};
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    result.insert(t);
+  }
+  return result;
+}
+
+std::string triangles_text(const std::set<Triangle>& all, const std::set<Triangle>& others) {
+  std::vector<std::string> names;
+  for (const Triangle& t : all) {
+    if (others.count(t) != 0) continue;
+    names.push_back(vertex_name(t[0]) + " " + vertex_name(t[1]) + " " + vertex_name(t[2]));
+  }
+  if (names.size() > 6) names.resize(6);
+  return names.empty() ? "none" : join(names, ", ");
+}
+
+std::string edge_ends(const MeshDump& mesh, Ref edge) {
+  const HalfedgeRecord& h = mesh.halfedges[mesh.edges[edge].halfedge];
+  return vertex_name(h.vertex) + "-" + vertex_name(mesh.halfedges[h.twin].vertex);
+}
+
+/// Judges one operation, from a mesh that is right.
+class StepJudge {
+ public:
+  StepJudge(const JudgeTask& task, const MeshDump& before, Operation operation,
+            const OperationStep& step, std::string where, CaseJudgement& judgement)
+      : task_(task),
+        before_(before),
+        operation_(operation),
+        step_(step),
+        after_(step.after),
+        where_(std::move(where)),
+        judgement_(judgement),
+        edge_(step.edge),
+        boundary_(is_boundary_edge(before, edge_)),
+        diamond_(diamond_of(before, edge_)) {}
+
+  void judge() {
+    if (!keeps_old_elements()) return;
+    if (same_mesh(before_)) {
+      judge_untouched();
+    } else if (operation_.kind == OperationKind::kFlip) {
+      judge_flip();
+    } else {
+      judge_split();
+    }
+  }
+
+ private:
+  void report(std::string rule, std::string meaning, std::string element, std::string expected,
+              std::string actual, std::string look_at) {
+    judgement_.findings.push_back(make_finding(std::move(rule), std::move(meaning), where_,
+                                               std::move(element), std::move(expected),
+                                               std::move(actual), std::move(look_at)));
+  }
+
+  std::string edge_text() const {
+    return edge_name(edge_) + " (" + edge_ends(before_, edge_) + ")";
+  }
+
+  /// Every old element is still there. Deleting one and making another in its place would leave
+  /// the handles of whoever holds the old one dangling.
+  bool keeps_old_elements() {
+    const std::size_t known = judgement_.findings.size();
+    const auto check = [&](const auto& old_list, const auto& new_list, auto name) {
+      for (Ref i = 0; i < old_list.size(); ++i) {
+        if (old_list[i].live == 0) continue;
+        if (i < new_list.size() && new_list[i].live != 0) continue;
+        report("counts", std::string(rule_meaning("counts")), name(i),
+               "the old element " + name(i) + " is still in the mesh", "it was deleted",
+               "calls of deleteVertex, deleteEdge, deleteFace, deleteHalfedge");
+        return;
+      }
+    };
+    check(before_.vertices, after_.vertices, vertex_name);
+    check(before_.edges, after_.edges, edge_name);
+    check(before_.faces, after_.faces, face_name);
+    check(before_.halfedges, after_.halfedges, halfedge_name);
+    check(before_.boundaries, after_.boundaries,
+          [](Ref b) { return face_name(b | kBoundaryBit); });
+    return judgement_.findings.size() == known;
+  }
+
+  /// Nothing about the surface and its elements has changed.
+  bool same_mesh(const MeshDump& other) {
+    return count(after_) == count(other) && is_right_surface(other, kUnsetRef, true);
+  }
+
+  void judge_untouched() {
+    const bool is_flip = operation_.kind == OperationKind::kFlip;
+    if (is_flip && (boundary_ || would_double())) return;
+    if (!is_flip && boundary_) {
+      if (task_.asked.group != "boundary_split") return;
+      judgement_.verdict = Verdict::kNotImplemented;
+      judgement_.note = "boundary edges are left as they are: allowed, but no extra credit";
+      return;
+    }
+    report("nothing-done", is_flip ? "an inner edge is turned" : "an edge gets a new vertex",
+           edge_text(),
+           is_flip ? edge_name(edge_) + " joins " + vertex_name(diamond_.a) + " and " +
+                         vertex_name(diamond_.d) + " afterwards"
+                   : "a new vertex in the middle of " + edge_text(),
+           "the mesh is the same as before",
+           is_flip ? "does flipEdge return too early?" : "does splitEdge return too early?");
+    if (!task_.explain) return;
+    MeshDump expected = before_;
+    Ref m = kUnsetRef;
+    if (is_flip) {
+      model_flip(expected, edge_);
+    } else {
+      m = model_split(expected, edge_);
+    }
+    judgement_.findings[0].pointers.figure =
+        figure_of_nothing_done(before_, expected, edge_, m);
+  }
+
+  bool would_double() const {
+    return diamond_.a == diamond_.d || find_edge(before_, diamond_.a, diamond_.d) != kUnsetRef;
+  }
+
+  void judge_flip() {
+    if (boundary_) {
+      report_harmed_boundary();
+      return;
+    }
+    const bool doubled = would_double();
+    MeshDump expected = before_;
+    model_flip(expected, edge_);
+    if (!keeps_rules(doubled) || !has_counts(expected) ||
+        !require_surface(expected, kUnsetRef)) {
+      explain(expected, kUnsetRef);
+      return;
+    }
+    if (keeps_positions() && step_.returned != edge_) {
+      report("returned", "flipEdge returns the edge that it was given", edge_name(edge_),
+             "the edge " + edge_name(edge_) + " is returned",
+             "returned: " + edge_name(step_.returned), "the return statement of flipEdge");
+    }
+    add_figure(expected, kUnsetRef);
+  }
+
+  void judge_split() {
+    const bool may_refuse = boundary_ && task_.asked.group != "boundary_split";
+    MeshDump expected = before_;
+    const Ref m = model_split(expected, edge_);
+    if (!keeps_rules(false) || !has_counts(expected) || !require_surface(expected, edge_)) {
+      explain(expected, m);
+      if (may_refuse) {
+        judgement_.findings[0].look_at +=
+            "; or refuse boundary edges: check for one first, on both sides";
+      }
+      return;
+    }
+    const Ref mine = match_->vertex[m];
+    if (!judge_anchor(mine)) {
+      explain(expected, m);
+      return;
+    }
+    judge_new_vertex(expected, m, mine);
+    if (judgement_.findings.empty()) keeps_positions();
+    add_figure(expected, m);
+  }
+
+  void judge_new_vertex(const MeshDump& expected, Ref m, Ref mine) {
+    if (step_.returned != mine) {
+      report("returned", "splitEdge returns the new vertex", vertex_name(mine),
+             "the new vertex " + vertex_name(mine) + " is returned",
+             "returned: " + vertex_name(step_.returned), "the return statement of splitEdge");
+      return;
+    }
+    judge_midpoint(expected.vertices[m].position, mine);
+  }
+
+  bool judge_anchor(Ref mine) {
+    const Ref h = after_.vertices[mine].halfedge;
+    const Ref end = after_.halfedges[after_.halfedges[h].twin].vertex;
+    if (end == diamond_.b || end == diamond_.c) return true;
+    report("along-edge", "the half-edge of the new vertex lies along the edge that was split",
+           vertex_name(mine),
+           vertex_name(mine) + ".halfedge leads to " + vertex_name(diamond_.b) + " or " +
+               vertex_name(diamond_.c),
+           vertex_name(mine) + ".halfedge is " + halfedge_name(h) + ", which leads to " +
+               vertex_name(end),
+           vertex_name(mine) + ".halfedge");
+    judgement_.findings.back().likely = {
+        find_misconception(split_misconceptions(), "anchor-on-new-edge")};
+    return false;
+  }
+
+  void judge_midpoint(const Point3& expected, Ref mine) {
+    const Point3& actual = after_.vertices[mine].position;
+    const double size = diagonal(before_);
+    const double error =
+        std::hypot(actual[0] - expected[0], actual[1] - expected[1], actual[2] - expected[2]);
+    if (error <= task_.tolerance * size) return;
+    report("midpoint", "the new vertex lies in the middle of the edge that was split",
+           vertex_name(mine),
+           "the middle of " + vertex_name(diamond_.b) + " and " + vertex_name(diamond_.c) +
+               ": " + point_text(expected),
+           point_text(actual) + ", off by " + error_text(error, size, task_.tolerance),
+           vertex_name(mine) + ".position");
+    judgement_.findings.back().likely =
+        recognize_midpoint(before_, diamond_, actual, task_.tolerance * size);
+  }
+
+  /// Puts what is wrong pointer by pointer in front of the rules that are broken by it.
+  void explain(const MeshDump& expected, Ref split_vertex) {
+    if (!task_.explain) return;
+    keep_scene(expected);
+    PointerDiff diff = diff_pointers(before_, after_, expected, edge_, split_vertex);
+    const bool counts_differ = diff.missing + diff.surplus > 0;
+    if (counts_differ && judgement_.findings[0].rule != "counts") {
+      has_counts(expected);
+      std::rotate(judgement_.findings.begin(), judgement_.findings.end() - 1,
+                  judgement_.findings.end());
+    } else if (!counts_differ && !diff.wrong.empty()) {
+      const WrongPointer& first = diff.wrong[0];
+      Finding lead = judgement_.findings[0];
+      lead.element = first.role.empty() ? first.name : first.name + ", of " + first.role;
+      lead.expected = first.name + " is " + first.expected;
+      lead.actual = as_left(first);
+      lead.look_at = first.name;
+      judgement_.findings.insert(judgement_.findings.begin(), std::move(lead));
+    }
+    judgement_.findings[0].pointers = std::move(diff);
+  }
+
+  /// Shows a neighbourhood whose pointers are right, if something else is wrong.
+  void add_figure(const MeshDump& expected, Ref split_vertex) {
+    if (!task_.explain || judgement_.findings.empty()) return;
+    judgement_.findings[0].pointers.figure =
+        diff_pointers(before_, after_, expected, edge_, split_vertex).figure;
+  }
+
+  /// For a viewer.
+  void keep_scene(const MeshDump& expected) {
+    if (expected.halfedges.size() > kMostSceneHalfedges) return;
+    const std::string verb = operation_.kind == OperationKind::kFlip ? "flip " : "split ";
+    judgement_.scene = {verb + edge_text(), edge_, before_, after_, expected};
+  }
+
+  /// All mesh rules; `doubled` allows what a flip onto an edge that exists cannot avoid.
+  bool keeps_rules(bool doubled) {
+    const std::size_t known = judgement_.findings.size();
+    for (const RuleBreak& rule_break : find_broken_rules(after_)) {
+      if (doubled && rule_break.rule == "simple") continue;
+      judgement_.findings.push_back(to_finding(rule_break, where_));
+    }
+    return judgement_.findings.size() == known;
+  }
+
+  bool has_counts(const MeshDump& expected) {
+    const Counts want = count(expected);
+    const Counts have = count(after_);
+    if (want == have) return true;
+    const auto text = [](const Counts& c) {
+      return std::to_string(c.vertices) + " vertices, " + plural(c.edges, "edge") + ", " +
+             plural(c.faces, "face") + ", " + plural(c.halfedges, "half-edge") + ", " +
+             plural(c.boundaries, "boundary loop");
+    };
+    report("counts", std::string(rule_meaning("counts")), "the mesh", text(want), text(have),
+           count_advice(want, have));
+    return false;
+  }
+
+  /// Matches the mesh with an expected one: old vertices and old edges by their identity. The
+  /// edge `free_edge`, of which a split makes two, may be either of them.
+  bool is_right_surface(const MeshDump& expected, Ref free_edge, bool quiet) {
+    if (!quiet || find_broken_rules(after_).empty()) {
+      match_.emplace(expected);
+      return match_all(expected, free_edge);
+    }
+    return false;
+  }
+
+  bool is_fixed(Ref edge, Ref free_edge) const {
+    return edge != free_edge && edge < before_.edges.size();
+  }
+
+  bool match_all(const MeshDump& expected, Ref free_edge) {
+    std::vector<Ref> starts;
+    for (bool fixed : {true, false}) {
+      for (Ref h = 0; h < expected.halfedges.size(); ++h) {
+        if (expected.halfedges[h].live == 0) continue;
+        if (is_fixed(expected.halfedges[h].edge, free_edge) == fixed) starts.push_back(h);
+      }
+    }
+    const auto candidates = [&](Ref from) {
+      const HalfedgeRecord& mine = expected.halfedges[from];
+      std::vector<Ref> list;
+      for (Ref h = 0; h < after_.halfedges.size(); ++h) {
+        const HalfedgeRecord& other = after_.halfedges[h];
+        if (other.live == 0 || other.vertex != mine.vertex) continue;
+        if (!is_fixed(mine.edge, free_edge) || other.edge == mine.edge) list.push_back(h);
+      }
+      return list;
+    };
+    return match_surfaces(expected, after_, starts, candidates, *match_) &&
+           keeps_identity(free_edge);
+  }
+
+  bool keeps_identity(Ref free_edge) const {
+    for (Ref v = 0; v < before_.vertices.size(); ++v) {
+      if (before_.vertices[v].live != 0 && match_->vertex[v] != v) return false;
+    }
+    for (Ref e = 0; e < before_.edges.size(); ++e) {
+      if (before_.edges[e].live != 0 && e != free_edge && match_->edge[e] != e) return false;
+    }
+    return true;
+  }
+
+  bool require_surface(const MeshDump& expected, Ref free_edge) {
+    if (is_right_surface(expected, free_edge, false)) return true;
+    const std::set<Triangle> want = triangles(expected);
+    const std::set<Triangle> have = triangles(after_);
+    if (want != have) {
+      report_other_surface(want, have);
+    } else {
+      report_swapped_edges(expected, free_edge);
+    }
+    return false;
+  }
+
+  void report_other_surface(const std::set<Triangle>& want, const std::set<Triangle>& have) {
+    bool turned = false;
+    for (Triangle t : have) {
+      std::swap(t[1], t[2]);
+      turned = turned || (want.count(t) != 0 && have.count(t) == 0);
+    }
+    const std::string rule = turned ? "orientation" : "surface";
+    report(rule,
+           turned ? std::string(rule_meaning("orientation"))
+                  : "the faces around the edge are those that the operation gives",
+           edge_text(), "faces " + triangles_text(want, have),
+           "faces " + triangles_text(have, want),
+           "the .vertex of the half-edges around " + edge_name(edge_));
+  }
+
+  /// The faces are right, but some old edge is not where it was.
+  void report_swapped_edges(const MeshDump& expected, Ref free_edge) {
+    for (Ref e = 0; e < before_.edges.size(); ++e) {
+      if (before_.edges[e].live == 0 || e == free_edge) continue;
+      const std::string want = edge_ends(expected, e);
+      const std::string have = edge_ends(after_, e);
+      const std::string turned =
+          have.substr(have.find('-') + 1) + "-" + have.substr(0, have.find('-'));
+      if (want == have || want == turned) continue;
+      report("identity", "the other edges stay where they are", edge_name(e),
+             edge_name(e) + " joins " + want, edge_name(e) + " joins " + have,
+             "the .edge of the half-edges around " + edge_name(edge_));
+      return;
+    }
+    report("identity", "the other edges stay where they are", edge_text(),
+           "the same edges between the same faces", "edges have changed places",
+           "the .edge of the half-edges around " + edge_name(edge_));
+  }
+
+  bool keeps_positions() {
+    for (Ref v = 0; v < before_.vertices.size(); ++v) {
+      if (before_.vertices[v].live == 0 ||
+          before_.vertices[v].position == after_.vertices[v].position) {
+        continue;
+      }
+      report("position", "no old vertex moves", vertex_name(v),
+             point_text(before_.vertices[v].position), point_text(after_.vertices[v].position),
+             vertex_name(v) + ".position");
+      return false;
+    }
+    return true;
+  }
+
+  void report_harmed_boundary() {
+    report("boundary-edge", "a boundary edge cannot be flipped: the mesh stays as it is",
+           edge_text(), "the mesh is the same as before", "the mesh was changed",
+           "the check for a boundary at the start of flipEdge: either of the two half-edges "
+           "may be the one outside");
+    if (task_.explain) {
+      keep_scene(before_);
+      judgement_.findings[0].pointers =
+          diff_pointers(before_, after_, before_, edge_, kUnsetRef);
+    }
+    keeps_rules(false);
+  }
+
+  const JudgeTask& task_;
+  const MeshDump& before_;
+  Operation operation_;
+  const OperationStep& step_;
+  const MeshDump& after_;
+  std::string where_;
+  CaseJudgement& judgement_;
+  Ref edge_;
+  bool boundary_;
+  Diamond diamond_;
+  std::optional<SurfaceMatch> match_;
+};
+}  // namespace
+
+void judge_step(const JudgeTask& task, const MeshDump& before, Operation operation,
+                const OperationStep& step, std::string where, CaseJudgement& judgement) {
+  StepJudge(task, before, operation, step, std::move(where), judgement).judge();
+}
+
+void judge_operation(const JudgeTask& task, const MeshDump& before, OperationKind kind,
+                     const OperationStep& step, CaseJudgement& judgement) {
+  if (step.edge >= before.edges.size() || before.edges[step.edge].live == 0) {
+    throw WireError("another edge");
+  }
+  judge_step(task, before, {kind, 0, 0}, step, "", judgement);
+  if (!judgement.findings.empty()) judgement.verdict = Verdict::kFailed;
+}
+
+}  // namespace meshgrade
