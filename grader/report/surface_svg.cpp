@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "grader/base/text.h"
 #include "grader/judge/normals.h"
 #include "grader/report/figure_text.h"
 #include "grader/report/label_boxes.h"
 #include "grader/report/list_column.h"
-#include "meshedit/vector3d.h"
+#include "grader/report/projection.h"
 
 namespace meshgrade {
 namespace {
@@ -25,26 +24,16 @@ constexpr std::size_t kMostTags = 6;
 constexpr std::size_t kMostHollow = 40;
 constexpr std::size_t kMostListed = 10;
 
-Vector3D vector_of(const Point3& p) {
-  return {p[0], p[1], p[2]};
-}
-
-bool is_finite(const Vector3D& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// The view from one side, without perspective.
-class View {
+class View : public Projection {
  public:
   /// @param towards  the direction from the surface to the eye
-  View(const Vector3D& towards, const std::vector<Point3>& fit) : towards_(towards) {
-    const Vector3D up =
-        std::fabs(towards.y) < 0.9 ? Vector3D(0.0, 1.0, 0.0) : Vector3D(0.0, 0.0, 1.0);
-    right_ = cross(up, towards).unit();
-    up_ = cross(towards, right_);
+  View(const Vector3D& towards, const std::vector<Point3>& fit)
+      : Projection(towards, std::fabs(towards.y) < 0.9 ? Vector3D(0.0, 1.0, 0.0)
+                                                       : Vector3D(0.0, 0.0, 1.0)) {
     Box box{INFINITY, INFINITY, -INFINITY, -INFINITY};
     for (const Point3& p : fit) {
-      const Spot s = on_screen(vector_of(p));
+      const Spot s = on_screen(p);
       box = {std::min(box.x0, s.x), std::min(box.y0, s.y), std::max(box.x1, s.x),
              std::max(box.y1, s.y)};
     }
@@ -56,7 +45,7 @@ class View {
 
   /// Around the middle of the panel; what is far outside is brought near its border.
   Spot project(const Point3& p) const {
-    const Spot s = scale_ * (on_screen(vector_of(p)) - middle_);
+    const Spot s = scale_ * (on_screen(p) - middle_);
     const auto near = [](double x) {
       return std::isfinite(x) ? std::clamp(x, -2.0 * kSide, 2.0 * kSide) : 0.0;
     };
@@ -64,15 +53,8 @@ class View {
   }
   /// What a panel takes up, around its middle.
   Box frame() const { return box_around({}, kSide, height_); }
-  double depth(const Point3& p) const { return dot(vector_of(p), towards_); }
-  const Vector3D& towards() const { return towards_; }
 
  private:
-  Spot on_screen(const Vector3D& v) const { return {dot(v, right_), -dot(v, up_)}; }
-
-  Vector3D towards_;
-  Vector3D right_;
-  Vector3D up_;
   double scale_ = 1.0;
   double height_ = kSide;
   Spot middle_;
@@ -112,17 +94,13 @@ class SurfacePanel {
 
   void draw_triangles() const {
     const SvgPen pen = pen_.clipped_group("surface", view_.frame());
-    std::vector<std::size_t> order(surface_.triangles.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
     std::vector<double> depth;
     for (const auto& t : surface_.triangles) {
       depth.push_back(view_.depth(surface_.positions[t[0]]) +
                       view_.depth(surface_.positions[t[1]]) +
                       view_.depth(surface_.positions[t[2]]));
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t i, std::size_t j) { return depth[i] < depth[j]; });
-    for (std::size_t i : order)
+    for (std::size_t i : far_to_near(depth))
       draw_triangle(pen, surface_.triangles[i]);
   }
 
@@ -169,11 +147,8 @@ class SurfacePanel {
 
   void draw_triangle(const SvgPen& pen, const std::array<std::uint32_t, 3>& t) const {
     constexpr const char* kShades[] = {"#c3cdd6", "#d3dbe2", "#e1e7ec", "#edf1f4", "#f8fafb"};
-    const Vector3D p = vector_of(surface_.positions[t[0]]);
-    const Vector3D across =
-        cross(vector_of(surface_.positions[t[1]]) - p, vector_of(surface_.positions[t[2]]) - p)
-            .unit();
-    const double facing = is_finite(across) ? dot(across, view_.towards()) : 0.0;
+    const double facing = view_.facing(surface_.positions[t[0]], surface_.positions[t[1]],
+                                       surface_.positions[t[2]]);
     const auto shade = facing <= 0.0 ? 0 : static_cast<std::size_t>(1.0 + 3.0 * facing);
     pen.polygon({spot(t[0]), spot(t[1]), spot(t[2])}, kShades[std::min<std::size_t>(shade, 4)],
                 {"#8796a4", 0.7});

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
 
 namespace meshgrade {
 namespace {
@@ -29,6 +30,22 @@ void set(pugi::xml_node node, const Stroke& stroke) {
   if (*stroke.dashes != '\0') set(node, "stroke-dasharray", stroke.dashes);
 }
 
+void append_text(pugi::xml_node svg, const char* element, const std::string& id,
+                 const std::string& text) {
+  pugi::xml_node node = svg.append_child(element);
+  set(node, "id", id);
+  node.text().set(text.c_str());
+}
+
+/// Of the root, once its size is known.
+void set_size(pugi::xml_node svg, Spot size) {
+  const std::string width = std::to_string(std::lround(size.x));
+  const std::string height = std::to_string(std::lround(size.y));
+  set(svg, "width", width);
+  set(svg, "height", height);
+  set(svg, "viewBox", "0 0 " + width + " " + height);
+}
+
 bool begins_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
 }
@@ -41,6 +58,21 @@ std::size_t count_characters(const std::string& text) {
 }
 
 }  // namespace
+
+std::string mixed_color(const char* first, const char* second, double part) {
+  std::string color = "#";
+  for (std::size_t i = 1; i < 7; i += 2) {
+    const auto channel = [&](const char* of) {
+      return static_cast<double>(std::strtol(std::string(of + i, 2).c_str(), nullptr, 16));
+    };
+    char digits[3];
+    const double value = (1.0 - part) * channel(first) + part * channel(second);
+    std::snprintf(digits, sizeof digits, "%02x",
+                  static_cast<unsigned>(std::lround(value)) & 0xFFU);
+    color += digits;
+  }
+  return color;
+}
 
 double length(Spot p) {
   return std::hypot(p.x, p.y);
@@ -170,6 +202,24 @@ void SvgPen::text(Spot middle, const std::string& text, const Lettering& letteri
     set(node, "text-anchor", kAnchors[static_cast<std::size_t>(lettering.anchor)]);
   }
   node.text().set(text.c_str());
+}
+
+std::string svg_document(const std::string& css_class, const std::string& id,
+                         const std::string& title, const std::string& description,
+                         const std::function<Spot(pugi::xml_node)>& draw) {
+  pugi::xml_document document;
+  pugi::xml_node svg = document.append_child("svg");
+  set(svg, "xmlns", "http://www.w3.org/2000/svg");
+  set(svg, "class", css_class);
+  set(svg, "role", "img");
+  set(svg, "font-family", "DejaVu Sans Mono, Menlo, Consolas, monospace");
+  set(svg, "aria-labelledby", id + "-title " + id + "-desc");
+  append_text(svg, "title", id + "-title", title);
+  append_text(svg, "desc", id + "-desc", description);
+  set_size(svg, draw(svg));
+  std::ostringstream text;
+  document.save(text, "", pugi::format_raw | pugi::format_no_declaration);
+  return text.str() + "\n";
 }
 
 std::string move_to(Spot p) {

@@ -3,6 +3,7 @@
 // Shapes of an SVG picture. It carries no style sheet and no ids but those of its description,
 // so that many pictures can stand in one HTML page.
 
+#include <functional>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ constexpr const char* kFace = "#f0f4f7";
 constexpr const char* kWrong = "#b83a00";
 constexpr const char* kRight = "#00559c";
 }  // namespace ink
+
+/// "#rrggbb" between two such colours: `part` 0 gives the first, 1 the second.
+std::string mixed_color(const char* first, const char* second, double part);
 
 struct Stroke {
   const char* color = ink::kText;
@@ -94,6 +98,15 @@ class SvgPen {
  private:
   pugi::xml_node node_;
 };
+
+/// A whole SVG document that can also stand inside an HTML page.
+///
+/// @param id     letters, digits, "_" and "-": no other picture of the page may have the same
+/// @param title, description  what the picture is of, for those who do not see it
+/// @param draw   draws the picture and returns its width and height
+std::string svg_document(const std::string& css_class, const std::string& id,
+                         const std::string& title, const std::string& description,
+                         const std::function<Spot(pugi::xml_node)>& draw);
 
 /// Steps of a path.
 std::string move_to(Spot p);
