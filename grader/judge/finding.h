@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/judge/deviation.h"
 #include "grader/judge/mesh_scene.h"
 #include "grader/judge/misconception.h"
 #include "grader/judge/pointer_diff.h"
@@ -56,7 +57,8 @@ struct CaseJudgement {
   std::string note;               ///< for example why the case is not judged
   /// Not judged, because the judge saw that another exercise is to blame: takes no points.
   bool excused = false;
-  MeshScene scene;  ///< the step that went wrong, for a viewer; mostly empty
+  MeshScene scene;      ///< the step that went wrong, for a viewer; mostly empty
+  Deviation deviation;  ///< of a subdivision, where it was asked for; else empty
 };
 
 }  // namespace meshgrade

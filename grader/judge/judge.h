@@ -20,6 +20,8 @@ struct JudgeTask {
   /// Also say pointer by pointer what is wrong, which takes time that the verdict does not
   /// need.
   bool explain = true;
+  /// Also measure how far each vertex of a subdivided mesh is off, wrong or not.
+  bool measure = false;
 };
 
 /// Choices that a solution may make but must make in the same way everywhere, for example the

@@ -336,6 +336,12 @@ class LevelsJudge {
     }
     const double size = extent(level.by_variant.begin()->second.positions);
     const double allowed = task_.tolerance * size;
+    const std::string& nearest = nearest_variant(level, actual, allowed);
+    const std::vector<Point3>& expected = level.by_variant.at(nearest).positions;
+    if (task_.measure) {
+      judgement_.deviation = measure_deviation(expected, mesh, match_, size, task_.tolerance);
+      judgement_.deviation.weights = nearest;
+    }
     Conventions agreeing;
     for (const auto& [name, polygons] : level.by_variant) {
       if (worst_point(polygons.positions, actual).error <= allowed) agreeing.insert(name);
@@ -344,8 +350,6 @@ class LevelsJudge {
       conventions_ = keep_agreeing(agreeing);
       return true;
     }
-    const std::string& nearest = nearest_variant(level, actual, allowed);
-    const std::vector<Point3>& expected = level.by_variant.at(nearest).positions;
     report_position(level, actual, size, worst_point(expected, actual), nearest);
     if (task_.explain) {
       Finding& finding = judgement_.findings.back();
