@@ -13,6 +13,7 @@
 #include "grader/app/console.h"
 #include "grader/app/context.h"
 #include "grader/app/file_watch.h"
+#include "grader/app/screenshot.h"
 #include "grader/base/errors.h"
 #include "grader/files/bezier_file.h"
 #include "grader/files/mesh_file.h"
@@ -26,6 +27,7 @@ struct ViewOptions {
   std::string submission;
   std::string assignment;
   int port = 0;
+  ScreenshotOptions screenshot;
 };
 
 /// Ctrl-C is taken by a thread of its own, so that the server ends in order.
@@ -80,22 +82,9 @@ Json bezier_start(const std::filesystem::path& file) {
   return {{"kind", "patch"}, {"name", name}, {"nets", std::move(patches)}};
 }
 
-int view(const ViewOptions& options) {
+/// Until Ctrl-C.
+void serve(MeshSession& session, const ViewOptions& options, const Json& start) {
   const sigset_t signals = block_signals();
-  const Home home = find_home();
-  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
-  const std::filesystem::path cube = home.meshes / "cube.obj";
-  const std::filesystem::path file =
-      options.mesh.empty() ? cube : std::filesystem::path(options.mesh);
-  const Json start = bezier_start(file);
-  const std::filesystem::path mesh = start.is_null() ? file : cube;
-  StudentProgram program(assignment, home, options.submission);
-  MeshSession session(program);
-  session.open(mesh.filename().string(), read_mesh(mesh).mesh);
-  const Progress progress = terminal_progress();
-  progress("compiling");
-  session.rebuild();
-  progress("");
   ViewServer server(session, viewer_page(), start.dump());
   server.bind(options.port);
   std::cout << server.address() << "\n"
@@ -110,7 +99,69 @@ int view(const ViewOptions& options) {
   ::kill(::getpid(), SIGTERM);  // blocked everywhere: `ender` waits for it
   ender.join();
   watcher.join();
+}
+
+/// Nothing is said of a file that does not compile but by who compiles it.
+void say_what_failed(const StudentProgram& program) {
+  for (const BuiltFile& file : program.files()) {
+    if (!file.ok) std::cerr << file.name << " does not compile:\n" << file.messages << "\n";
+  }
+}
+
+int view(const ViewOptions& options) {
+  const bool for_picture = !options.screenshot.out.empty();
+  const PictureRequest request =
+      for_picture ? read_request(options.screenshot) : PictureRequest();
+  const Home home = find_home();
+  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
+  const std::filesystem::path cube = home.meshes / "cube.obj";
+  const std::filesystem::path file =
+      options.mesh.empty() ? cube : std::filesystem::path(options.mesh);
+  const Json start = bezier_start(file);
+  if (for_picture && !start.is_null()) {
+    throw UserError(file.string() +
+                    ": --screenshot takes pictures of meshes, not of Bezier curves and "
+                    "surfaces: open them in the browser");
+  }
+  const std::filesystem::path mesh = start.is_null() ? file : cube;
+  StudentProgram program(assignment, home, options.submission);
+  MeshSession session(program);
+  session.open(mesh.filename().string(), read_mesh(mesh).mesh);
+  const Progress progress = terminal_progress();
+  progress("compiling");
+  session.rebuild();
+  progress("");
+  if (for_picture) {
+    say_what_failed(program);
+    return take_screenshot(session, request, options.screenshot.out);
+  }
+  serve(session, options, start);
   return 0;
+}
+
+void add_screenshot_options(CLI::App& command, ScreenshotOptions& options) {
+  const std::string group = "For a picture";
+  CLI::Option* out =
+      command
+          .add_option("--screenshot", options.out,
+                      "Writes a picture and ends: a .png, by a browser that needs no display, "
+                      "or an .svg, which the grader draws")
+          ->group(group);
+  const auto add = [&](CLI::Option* option) { option->needs(out)->group(group); };
+  add(command.add_option("--steps", options.steps,
+                         "What your functions do first: \"flip e3, split e5, subdivide 2\""));
+  add(command.add_option(
+      "--camera", options.camera,
+      "AZIMUTH,ELEVATION[,DISTANCE]: degrees, 0,0 from the front; 31,22,3.5 "
+      "if not given"));
+  add(command.add_option("--size", options.size,
+                         "WIDTHxHEIGHT in pixels; 960x720 if not given"));
+  add(command.add_flag("--levels", options.levels, "All levels of subdivision side by side"));
+  add(command.add_flag("--compare", options.compare,
+                       "Colours each vertex by its distance from OpenSubdiv's answer"));
+  add(command.add_flag("--wireframe", options.wireframe, "Edges without faces"));
+  add(command.add_flag("--ids", options.ids, "The names of the elements"));
+  add(command.add_flag("--dark", options.dark, "On a dark ground"));
 }
 
 }  // namespace
@@ -130,6 +181,7 @@ void add_view_command(CLI::App& app, int& exit_code) {
                       "The assignment (TOML); the standard one if not given");
   command->add_option("--port", options->port, "The port to listen on; any free one if 0")
       ->check(CLI::Range(0, 65535));
+  add_screenshot_options(*command, options->screenshot);
   command->footer(
       "Flips, splits and subdivides with your own functions, in the browser. A crash or an\n"
       "endless loop is told and nothing is lost; save your file, and the steps are repeated.\n"
@@ -137,7 +189,10 @@ void add_view_command(CLI::App& app, int& exit_code) {
       "  meshgrade view --submission my_homework\n"
       "  meshgrade view meshes/icosahedron.obj --submission my_homework\n"
       "  meshgrade view meshes/arch_4.bzc --submission my_homework\n"
-      "Exit code: 0 when ended by Ctrl-C, 2 bad usage or an unreadable file, 3 an error of "
+      "  meshgrade view meshes/cube.obj --submission my_homework --screenshot cube.png \\\n"
+      "      --steps \"flip e3, split e5, subdivide 2\" --camera 45,30 --levels\n"
+      "Exit code: 0 when ended by Ctrl-C or the picture is there, 1 a step of the picture did\n"
+      "not come to its end, 2 bad usage or an unreadable file, 3 an error of "
       "the\n"
       "grader.");
   command->callback([options, &exit_code] { exit_code = view(*options); });

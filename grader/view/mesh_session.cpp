@@ -48,7 +48,7 @@ void MeshSession::open(const std::string& name, const PolygonMesh& mesh) {
   operations_.clear();
   stopped_.reset();
   states_.clear();
-  states_.push_back({std::move(first), {}});
+  states_.push_back({std::move(first), {}, {}});
   position_ = 0;
 }
 
@@ -103,9 +103,10 @@ void MeshSession::take_steps(const std::vector<ViewOperation>& operations,
     auto step = from_wire<ViewStep>(outcome.steps[i]);
     CaseJudgement judgement =
         judge_view_step(program_.assignment(), states_.back().mesh, operations[i], step);
+    Deviation deviation = std::move(judgement.deviation);
     CaseReport told = tell(program_, operations[i], std::move(judgement), outcome);
     operations_.push_back(operations[i]);
-    states_.push_back({std::move(step.after), std::move(told)});
+    states_.push_back({std::move(step.after), std::move(told), std::move(deviation)});
   }
   position_ = operations_.size();
   if (outcome.steps.size() == operations.size()) return;
@@ -142,6 +143,17 @@ void MeshSession::go_to(std::size_t position) {
   if (position >= states_.size()) throw UserError("there is no such step");
   position_ = position;
   stopped_.reset();
+}
+
+std::vector<ViewLevel> MeshSession::levels() const {
+  std::vector<ViewLevel> levels{{"level 0", 0}};
+  for (std::size_t i = 0; i < position_; ++i) {
+    if (operations_[i].kind == ViewKind::kSubdivide) {
+      levels.push_back({"level " + std::to_string(levels.size()), i});
+    }
+    levels.back().position = i + 1;
+  }
+  return levels;
 }
 
 MeshSession::Normals MeshSession::normals() const {

@@ -19,7 +19,14 @@ namespace meshgrade {
 /// The mesh after an operation.
 struct ViewState {
   MeshDump mesh;
-  CaseReport told;  ///< what the judge says of the step, and what the code printed
+  CaseReport told;      ///< what the judge says of the step, and what the code printed
+  Deviation deviation;  ///< of a subdivision that has the right connectivity; else empty
+};
+
+/// A level of subdivision among the states of a session.
+struct ViewLevel {
+  std::string label;         ///< "level 2"
+  std::size_t position = 0;  ///< of its last state
 };
 
 /// An operation that did not come to its end.
@@ -64,6 +71,8 @@ class MeshSession {
   const std::vector<ViewState>& states() const { return states_; }
   std::size_t position() const { return position_; }
   const std::optional<StoppedStep>& stopped() const { return stopped_; }
+  /// The last state of each level, up to the state that is looked at.
+  std::vector<ViewLevel> levels() const;
 
  private:
   Outcome run(const std::vector<ViewOperation>& operations, std::size_t first_told,

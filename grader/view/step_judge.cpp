@@ -38,7 +38,8 @@ CaseJudgement judge_by_exercise(const Assignment& assignment, ViewKind kind,
   const ExerciseJudge judge = find_exercise_judge(rubric);
   const Case asked = case_of(kind, mesh);
   Conventions conventions = judge.conventions;
-  return judge_case(judge, {asked, outcome, rubric, assignment.tolerance}, conventions);
+  return judge_case(judge, {asked, outcome, rubric, assignment.tolerance, true, true},
+                    conventions);
 }
 
 CaseJudgement not_judged(const std::string& note) {

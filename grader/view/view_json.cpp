@@ -1,9 +1,11 @@
 #include "grader/view/view_json.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "grader/report/mesh_json.h"
 #include "grader/report/report_value.h"
+#include "grader/view/deviation_scale.h"
 
 namespace meshgrade {
 namespace {
@@ -20,6 +22,20 @@ Json build_value(const StudentProgram& program) {
           {"files", std::move(files)}};
 }
 
+Json to_json_value(const Deviation& deviation) {
+  Json colors = Json::array();
+  for (const double off : deviation.of_vertex)
+    colors.push_back(std::isnan(off) ? Json(nullptr) : Json(deviation_color(deviation, off)));
+  Json worst = Json::array();
+  for (const Ref v : shown_worst(deviation))
+    worst.push_back({{"vertex", vertex_name(v)}, {"text", deviation_text(deviation, v)}});
+  return {{"colors", std::move(colors)},
+          {"scale", kDeviationColors},
+          {"ends", deviation_ends(deviation)},
+          {"worst", std::move(worst)},
+          {"text", deviation_text(deviation)}};
+}
+
 Json timeline_value(const MeshSession& session) {
   Json steps = Json::array();
   steps.push_back({{"label", "start"}, {"verdict", ""}});
@@ -30,8 +46,9 @@ Json timeline_value(const MeshSession& session) {
   return steps;
 }
 
-Json state_value(const MeshSession& session) {
-  const std::size_t position = session.position();
+}  // namespace
+
+Json state_value(const MeshSession& session, std::size_t position) {
   const ViewState& state = session.states()[position];
   Json value{{"mesh", to_json_value(state.mesh)},
              {"broken", to_json_value(find_broken_rules(state.mesh))}};
@@ -42,15 +59,25 @@ Json state_value(const MeshSession& session) {
   value["before"] = to_json_value(before);
   value["changes"] = to_json_value(find_changes(before, state.mesh));
   if (!state.told.scene.empty()) value["expected"] = to_json_value(state.told.scene.expected);
+  if (!state.deviation.empty()) value["deviation"] = to_json_value(state.deviation);
   return value;
 }
 
-}  // namespace
+Json levels_value(const MeshSession& session) {
+  Json list = Json::array();
+  for (const ViewLevel& level : session.levels()) {
+    list.push_back({{"label", level.label}, {"state", state_value(session, level.position)}});
+  }
+  return list;
+}
 
 Json to_json_value(const MeshSession& session) {
-  Json value{{"submission", session.program().name()},  {"mesh", session.name()},
-             {"build", build_value(session.program())}, {"timeline", timeline_value(session)},
-             {"position", session.position()},          {"state", state_value(session)}};
+  Json value{{"submission", session.program().name()},
+             {"mesh", session.name()},
+             {"build", build_value(session.program())},
+             {"timeline", timeline_value(session)},
+             {"position", session.position()},
+             {"state", state_value(session, session.position())}};
   if (session.stopped()) {
     const StoppedStep& stop = *session.stopped();
     Json stopped{{"step", operation_text(stop.operation)}, {"told", to_json_value(stop.told)}};

@@ -11,6 +11,12 @@ namespace meshgrade {
 /// `stopped`. docs/viewer.md explains the keys.
 nlohmann::ordered_json to_json_value(const MeshSession& session);
 
+/// The state after so many operations, as in `state`.
+nlohmann::ordered_json state_value(const MeshSession& session, std::size_t position);
+
+/// `label` and `state` of each level of subdivision.
+nlohmann::ordered_json levels_value(const MeshSession& session);
+
 /// `normals`: x, y and z for each vertex, null where it is none, or why there are none,
 /// `error`.
 nlohmann::ordered_json to_json_value(const MeshSession::Normals& normals, const MeshDump& mesh);

@@ -177,6 +177,7 @@ class ViewServer::Impl {
     add_question("/normals", [this](const Json&) {
       return to_json_value(session_.normals(), session_.states()[session_.position()].mesh);
     });
+    add_question("/levels", [this](const Json&) { return levels_value(session_); });
     add_bezier("/curve", view_curve);
     add_bezier("/patch", view_patch);
     server_.Get("/events", [this](const httplib::Request&, httplib::Response& response) {

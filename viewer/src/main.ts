@@ -5,6 +5,7 @@ import { Connection } from './live/connection';
 import { LivePage } from './live/live_page';
 import { CurvePage } from './live/curve_page';
 import { PatchPage } from './live/patch_page';
+import { showPicture } from './live/picture_page';
 import type { LiveStart, PageData } from './model/types';
 import { showClass } from './panels/class_page';
 import { showReport } from './panels/report_page';
@@ -26,6 +27,8 @@ if (data.kind === 'report') {
   showReport(app, data.report);
 } else if (data.kind === 'class') {
   showClass(app, data.class, data.links);
+} else if (data.kind === 'picture') {
+  showPicture(app, data);
 } else if (data.kind === 'live') {
   startLive(new Connection(data.token), data.start);
 } else {

@@ -1,7 +1,7 @@
 // Talks to the program that serves this page.
 
 import type { MeshJson } from '../model/mesh';
-import type { Case, PointerChange, RuleBreak } from '../model/types';
+import type { Case, PointerChange, RuleBreak, StateJson } from '../model/types';
 
 export interface LiveState {
   submission: string;
@@ -9,15 +9,7 @@ export interface LiveState {
   build: { number: number; compiled: boolean; files: { name: string; compiled: boolean; messages: string }[] };
   timeline: { label: string; verdict: string }[];
   position: number;
-  state: {
-    mesh: MeshJson;
-    broken: RuleBreak[];
-    step?: string;
-    told?: Case;
-    before?: MeshJson;
-    expected?: MeshJson;
-    changes?: PointerChange[];
-  };
+  state: StateJson;
   stopped?: {
     step: string;
     told: Case;
@@ -73,6 +65,8 @@ export class Connection {
   open = (name: string, bytes: Uint8Array): Promise<LiveState> =>
     this.post('/open', { name, bytes: [...bytes] });
   normals = (): Promise<{ normals?: (number | null)[]; error?: string }> => this.post('/normals', {});
+
+  levels = (): Promise<{ label: string; state: StateJson }[]> => this.post('/levels', {});
 
   curve = (points: Point2[], t: number): Promise<CurveAnswer> => this.post('/curve', { points, t });
   patch = (net: Point3[][], density: number): Promise<PatchAnswer> => this.post('/patch', { net, density });

@@ -4,9 +4,11 @@ import { button, el, replace, type Child } from '../dom';
 import { saveFile, toGlb, toObj } from '../model/export';
 import { Mesh } from '../model/mesh';
 import { findingBlock, pointerTables } from '../panels/case_card';
-import { MeshPanel, type MeshState } from '../panels/mesh_panel';
+import type { MeshState } from '../panels/marks';
+import { MeshPanel } from '../panels/mesh_panel';
 import { toneOf, verdictTag } from '../panels/verdict';
 import type { Connection, LiveState, StepKind } from './connection';
+import { LevelsCover } from './levels';
 import { buildTag, compilerBanner, output } from './shell';
 
 const PLAIN = { broken: [], changes: [], wrong: [] };
@@ -23,6 +25,7 @@ function statesOf(live: LiveState): { states: MeshState[]; current: number } {
     broken: state.broken,
     changes: state.changes ?? [],
     wrong,
+    deviation: state.deviation,
   });
   if (state.expected) states.push({ label: 'Expected', mesh: new Mesh(state.expected), ...PLAIN });
   if (stopped?.mesh) {
@@ -39,6 +42,7 @@ export class LivePage {
   private readonly build = el('span', { class: 'build', role: 'status' });
   private readonly banner = el('div', { class: 'banner', role: 'alert' });
   private readonly told = el('div', { class: 'told' });
+  private readonly levels = new LevelsCover();
   private live: LiveState | null = null;
   private normals: Float32Array | null = null;
   private busy = false;
@@ -46,6 +50,8 @@ export class LivePage {
 
   constructor(app: HTMLElement, private readonly connection: Connection) {
     this.panel.top.append(el('h2', { class: 'unseen' }, 'The step'), this.banner, this.told);
+    this.panel.cover.append(this.levels.element);
+    this.panel.onOption = () => void this.drawLevels();
     const head = el('header', { class: 'live-head' },
       el('strong', { class: 'brand' }, 'Meshgrade'), this.title, this.build, this.fileTools());
     replace(app, el('main', { class: 'live' }, head, this.panel.element,
@@ -91,7 +97,39 @@ export class LivePage {
       action('Next', 'N', () => this.panel.follow('next')),
       action('Twin', 'T', () => this.panel.follow('twin')),
       action('Half-edge', 'H', () => this.panel.follow('halfedge')),
-      smooth);
+      smooth, this.levelsButton(action));
+  }
+
+  private levelsButton(action: (text: string, key: string, act: () => void) => HTMLButtonElement): HTMLButtonElement {
+    const made = action('Levels', 'V', () => void this.toggleLevels());
+    made.dataset['option'] = 'levels';
+    made.setAttribute('aria-pressed', 'false');
+    return made;
+  }
+
+  /** Level 0, 1, ... beside each other, or the one mesh again. */
+  private async toggleLevels(): Promise<void> {
+    if (!this.panel.view) return;
+    const on = !this.levels.shown;
+    document.querySelector('[data-option=levels]')?.setAttribute('aria-pressed', String(on));
+    document.body.classList.toggle('with-levels', on);
+    if (!on) {
+      this.levels.hide();
+      return;
+    }
+    this.levels.element.hidden = false;
+    await this.drawLevels();
+  }
+
+  private async drawLevels(): Promise<void> {
+    const { view } = this.panel;
+    if (!this.levels.shown || !view) return;
+    try {
+      const levels = await this.connection.levels();
+      if (this.levels.shown) this.levels.show(levels, view.options);
+    } catch (error) {
+      this.panel.say((error as Error).message);
+    }
   }
 
   private onKey(event: KeyboardEvent): void {
@@ -106,6 +144,7 @@ export class LivePage {
       z: () => this.move(event.shiftKey ? 1 : -1),
       y: () => this.move(1),
       q: () => void this.toggleSmooth(),
+      v: () => void this.toggleLevels(),
     };
     const act = acts[event.key.toLowerCase()];
     if (act) act();
@@ -214,6 +253,7 @@ export class LivePage {
     replace(this.told, ...toldOf(live));
     const { states, current } = statesOf(live);
     this.panel.show(states, current, fit);
+    void this.drawLevels();
   }
 
   private drawBuild(live: LiveState): void {

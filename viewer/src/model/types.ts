@@ -112,6 +112,42 @@ export interface Report {
   exercises: Exercise[];
 }
 
+/** How far the vertices of a subdivided mesh are from OpenSubdiv's, as the grader tells it. */
+export interface Deviation {
+  /** Of each vertex by number; null: deleted. */
+  colors: (string | null)[];
+  scale: string[];
+  ends: [string, string];
+  worst: { vertex: string; text: string }[];
+  text: string;
+}
+
+export interface StateJson {
+  mesh: MeshJson;
+  broken: RuleBreak[];
+  step?: string;
+  told?: Case;
+  before?: MeshJson;
+  expected?: MeshJson;
+  changes?: PointerChange[];
+  deviation?: Deviation;
+}
+
+/** What `meshgrade view --screenshot` asks for. */
+export interface PictureData {
+  kind: 'picture';
+  title: string;
+  panels: { caption: string; state: StateJson }[];
+  request: {
+    camera: { azimuth: number; elevation: number; distance: number };
+    width: number;
+    height: number;
+    wireframe: boolean;
+    ids: boolean;
+    compare: boolean;
+  };
+}
+
 /** The file class.json of a batch. */
 export interface ClassRow {
   key: string;
@@ -145,6 +181,7 @@ export type PageData =
   | { kind: 'empty' }
   | { kind: 'report'; report: Report }
   | { kind: 'class'; class: ClassResults; links: Record<string, string> }
+  | PictureData
   | { kind: 'live'; token: string; start: LiveStart };
 
 /** What the live page begins with; null: the mesh of the server. */

@@ -3,7 +3,8 @@
 import { button, el, picture, type Child } from '../dom';
 import { Mesh } from '../model/mesh';
 import type { Case, Finding, PointerDiff, PointerTable, Scene } from '../model/types';
-import { MeshPanel, type MeshState } from './mesh_panel';
+import type { MeshState } from './marks';
+import { MeshPanel } from './mesh_panel';
 import { verdictTag } from './verdict';
 
 function fact(name: string, value: string, tone = ''): Child[] {

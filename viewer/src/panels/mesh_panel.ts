@@ -1,47 +1,20 @@
 // A mesh to look at: the 3D view, the states of one step, and lists of what is wrong with it.
 
 import { button, el, replace } from '../dom';
-import { Mesh, kindName, nameOf, parseElement, parsePointer, type Element } from '../model/mesh';
-import type { PointerChange, RuleBreak, WrongPointer } from '../model/types';
-import { MeshView, type Arc, type Marks, type ViewOptions } from '../scene/mesh_view';
+import { kindName, nameOf, parseElement, type Element } from '../model/mesh';
+import type { Deviation } from '../model/types';
+import { MeshView, type ViewOptions } from '../scene/mesh_view';
 import { hasWebGL } from '../scene/webgl';
 import { showInspector } from './inspector';
+import { legend } from './legend';
+import { arcsOf, marksOf, type MeshState } from './marks';
 import { brokenRules, changedPointers, elementLink, notChanged } from './pointer_lists';
-
-/** One state of a mesh, with what the grader says about it. */
-export interface MeshState {
-  label: string;
-  mesh: Mesh;
-  broken: RuleBreak[];
-  changes: PointerChange[];
-  wrong: WrongPointer[];
-}
 
 const OPTION_TEXT: [keyof ViewOptions, string, string][] = [
   ['ids', 'Ids', 'I'],
   ['wireframe', 'Wireframe', 'W'],
+  ['compare', 'Distance from OpenSubdiv', 'D'],
 ];
-
-/** Pointers that break a rule or are wrong, each once. */
-function arcsOf(state: MeshState): Arc[] {
-  const arcs = new Map<string, Arc>();
-  const note = (where: string, text: string): void => {
-    const parsed = parsePointer(where);
-    if (!parsed || !state.mesh.isLive(parsed.element)) return;
-    const name = `${nameOf(parsed.element)}.${parsed.pointer}`;
-    if (arcs.has(name)) return;
-    const pointer = state.mesh.pointers(parsed.element).find((p) => p.name === parsed.pointer);
-    if (!pointer) return;
-    arcs.set(name, { ...parsed, target: pointer.target, text: `${name}${text}` });
-  };
-  for (const w of state.wrong) note(w.pointer, pointerRemark(w));
-  if (arcs.size === 0) for (const b of state.broken) note(b.look_at, '');
-  return [...arcs.values()];
-}
-
-function pointerRemark(w: WrongPointer): string {
-  return ` ${w.was_set ? 'is' : 'still'} ${w.actual.split(' ')[0]}`;
-}
 
 export class MeshPanel {
   readonly element = el('section', { class: 'mesh-panel', 'aria-label': 'Mesh' });
@@ -51,6 +24,9 @@ export class MeshPanel {
 
   /** For what the page has to say about the step. */
   readonly top = el('div', { class: 'top' });
+  /** For what the page shows in place of the mesh. */
+  readonly cover = el('div', { class: 'cover' });
+  onOption: () => void = () => {};
   states: MeshState[] = [];
 
   private readonly stage = el('div', { class: 'stage' });
@@ -61,16 +37,17 @@ export class MeshPanel {
   private readonly status = el('p', { class: 'status', role: 'status' });
   private current = 0;
 
-  constructor(alone: boolean) {
-    const holder = el('div', { class: 'stage-holder' }, this.tabs, this.stage, this.tools);
+  /** @param alone  the page shows nothing else, and subdivides */
+  constructor(private readonly alone: boolean) {
+    const holder = el('div', { class: 'stage-holder' }, this.tabs, this.stage, this.cover, this.tools);
     const side = el('div', { class: 'side' }, this.status, this.top, this.finder(), this.inspector, this.lists);
     this.element.append(holder, side);
-    this.view = this.makeView(alone);
+    this.view = this.makeView();
     this.makeTools();
     this.element.addEventListener('keydown', (event) => this.onKey(event));
   }
 
-  private makeView(alone: boolean): MeshView | null {
+  private makeView(): MeshView | null {
     if (!hasWebGL()) {
       replace(this.stage, el('p', { class: 'quiet no-webgl' },
         'This browser has no WebGL, so there is no 3D view. Everything else is here.'));
@@ -78,7 +55,7 @@ export class MeshPanel {
     }
     const view = new MeshView(this.stage);
     view.onPick = (element) => this.select(element);
-    if (!alone) view.zoomOnlyWithFocus();
+    if (!this.alone) view.zoomOnlyWithFocus();
     return view;
   }
 
@@ -86,6 +63,7 @@ export class MeshPanel {
     if (!this.view) return;
     const view = this.view;
     for (const [name, text, key] of OPTION_TEXT) {
+      if (name === 'compare' && !this.alone) continue;
       const toggle = button(text, () => this.toggle(name), {
         class: 'toggle', 'data-option': name, 'aria-pressed': String(view.options[name]), 'aria-keyshortcuts': key,
       });
@@ -116,11 +94,13 @@ export class MeshPanel {
   }
 
   toggle(name: keyof ViewOptions): void {
-    if (!this.view) return;
+    if (!this.view || (name === 'compare' && !this.alone)) return;
     this.view.setOption(name, !this.view.options[name]);
+    if (name === 'compare') this.drawState(false);
     this.tools
       .querySelector(`[data-option=${name}]`)
       ?.setAttribute('aria-pressed', String(this.view.options[name]));
+    this.onOption();
   }
 
   state(): MeshState | undefined {
@@ -154,15 +134,17 @@ export class MeshPanel {
   private drawState(fit: boolean): void {
     const state = this.state();
     if (!state) return;
-    const arcs = arcsOf(state);
-    const marks: Marks = {
-      arcs,
-      changed: new Set(state.changes.map((c) => c.element)),
-    };
-    this.view?.show(state.mesh, marks, fit);
+    const deviation = this.deviation();
+    this.view?.colorVertices(deviation?.colors ?? null);
+    this.view?.show(state.mesh, marksOf(state, deviation), fit);
     if (this.selected && !state.mesh.isLive(this.selected)) this.selected = null;
     this.describe(state);
     this.drawSide(state);
+  }
+
+  /** How far the mesh is from OpenSubdiv's, if that is asked for and known of this state. */
+  private deviation(): Deviation | null {
+    return (this.view?.options.compare && this.state()?.deviation) || null;
   }
 
   /** In words, for those who do not see the picture. */
@@ -172,6 +154,8 @@ export class MeshPanel {
     if (state.broken.length > 0) parts.push(`${state.broken.length} broken rules.`);
     if (open.length > 0) parts.push(`Open faces: ${open.slice(0, 8).join(', ')}.`);
     if (state.wrong.length > 0) parts.push(`Wrong pointers: ${state.wrong.slice(0, 8).map((w) => w.pointer).join(', ')}.`);
+    const deviation = this.deviation();
+    if (deviation) parts.push(`Coloured by the distance from OpenSubdiv. ${deviation.text}`);
     this.view?.canvas.setAttribute('aria-label', parts.join(' '));
   }
 
@@ -182,8 +166,12 @@ export class MeshPanel {
     showInspector(this.inspector, state.mesh, this.selected, wrong, choose);
     const stale = notChanged(state.wrong, choose);
     const setWrong = state.wrong.filter((w) => w.was_set);
+    const deviation = this.deviation();
     replace(
       this.lists,
+      deviation && legend(deviation, choose),
+      !deviation && this.view?.options.compare && el('p', { class: 'note' },
+        'Nothing to compare here: subdivide by U; the mesh must be joined as it must be.'),
       el('h3', {}, 'Mesh rules'),
       brokenRules(state.broken, choose),
       stale && el('h3', {}, 'Not changed, but should be'),
@@ -239,6 +227,7 @@ export class MeshPanel {
       h: () => this.follow('halfedge'),
       i: () => this.toggle('ids'),
       w: () => this.toggle('wireframe'),
+      d: () => this.toggle('compare'),
       '[': () => this.goTo(this.current - 1),
       ']': () => this.goTo(this.current + 1),
       Escape: () => this.select(null),

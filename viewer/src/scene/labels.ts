@@ -53,7 +53,7 @@ function drawLabel(
   y: number,
   colors: Palette,
 ): void {
-  const boxed = label.style === 'vertex' || label.style === 'wrong' || label.style === 'selected';
+  const boxed = label.style === 'vertex' || label.style === 'edge' || label.style === 'wrong' || label.style === 'selected';
   context.font = `${boxed ? '600 ' : ''}${label.style === 'face' ? 12.5 : 11.5}px ${FONT}`;
   if (!boxed) {
     context.lineWidth = 3;
@@ -65,8 +65,8 @@ function drawLabel(
     return;
   }
   const width = context.measureText(label.text).width + 10;
-  const fill = { vertex: colors.ink, wrong: colors.wrong, selected: colors.selected }[
-    label.style as 'vertex' | 'wrong' | 'selected'
+  const fill = { vertex: colors.ink, edge: colors.muted, wrong: colors.wrong, selected: colors.selected }[
+    label.style as 'vertex' | 'edge' | 'wrong' | 'selected'
   ];
   context.fillStyle = fill;
   context.beginPath();

@@ -6,11 +6,12 @@ import { nameOf, sameElement, type Element, type Mesh } from '../model/mesh';
 import { palette, type Palette } from './colors';
 import { drawLabels, type Label } from './labels';
 import { pick } from './picking';
-import { softwareRendered } from './webgl';
 import {
   ArrowMaker, add, arrowTriangles, ballOf, dot, length, linesOf, mix, placeOf, scale, sub,
   surfaceOf, unit, type Surface, type Vec,
 } from './shapes';
+import { arcObjects, ballObject, colouredObject, lineObject, surfaceObjects, triangleObject, tubeObject } from './solids';
+import { softwareRendered } from './webgl';
 
 /** A pointer that is wrong, or one that it should be. */
 export interface Arc {
@@ -24,6 +25,8 @@ export interface Arc {
 export interface Marks {
   arcs: Arc[];
   changed: Set<string>;
+  /** The vertices that are furthest from where they must be. */
+  vertices?: number[];
 }
 
 export interface ViewOptions {
@@ -33,6 +36,21 @@ export interface ViewOptions {
   normalLines: boolean;
   arrows: boolean;
   edges: boolean;
+  /** Names of edges beside the others. */
+  edgeIds: boolean;
+  /** Show the colours of the vertices, if there are any. */
+  compare: boolean;
+}
+
+export interface ViewSetup {
+  /** Smooth edges whatever they cost: for a picture that is drawn once. */
+  fine?: boolean;
+}
+
+/** Where the eye is and what it looks at. */
+export interface Camera {
+  position: THREE.Vector3;
+  target: THREE.Vector3;
 }
 
 /** More arcs and callouts than this hide the mesh; the lists beside it name all. */
@@ -45,10 +63,13 @@ export class MeshView {
   readonly canvas: HTMLCanvasElement;
   readonly options: ViewOptions = {
     ids: true, wireframe: false, smooth: false, normalLines: false, arrows: true, edges: true,
+    edgeIds: false, compare: false,
   };
   /** Further lines, as pairs of ends. */
   lines: { points: Float32Array; color: keyof Palette }[] = [];
   onPick: (element: Element | null) => void = () => {};
+  /** Called when the user has moved the camera. */
+  onCamera: (camera: Camera) => void = () => {};
 
   private readonly renderer: THREE.WebGLRenderer;
   private readonly labelCanvas = document.createElement('canvas');
@@ -65,16 +86,18 @@ export class MeshView {
   private surface: Surface | null = null;
   private marks: Marks = { arcs: [], changed: new Set() };
   private normals: Float32Array | null = null;
+  private vertexColors: (string | null)[] | null = null;
   private selected: Element | null = null;
   private labels: Label[] = [];
   private ball = { centre: [0, 0, 0] as Vec, radius: 1 };
   private frame = 0;
+  private size: [number, number] = [0, 0];
   private dragging = false;
 
   /** @throws Error if there is no WebGL */
-  constructor(private readonly host: HTMLElement) {
+  constructor(private readonly host: HTMLElement, setup: ViewSetup = {}) {
     this.software = softwareRendered() ?? false;
-    this.renderer = new THREE.WebGLRenderer({ antialias: !this.software, preserveDrawingBuffer: true });
+    this.renderer = new THREE.WebGLRenderer({ antialias: setup.fine || !this.software, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
@@ -87,7 +110,7 @@ export class MeshView {
     this.camera.add(this.lamp);
     this.lamp.position.set(-0.6, 0.9, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('change', () => this.moved());
     this.controls.addEventListener('start', () => this.drag(true));
     this.controls.addEventListener('end', () => this.drag(false));
     this.listenToPicks();
@@ -147,6 +170,37 @@ export class MeshView {
     this.rebuild();
   }
 
+  /** Colours of the vertices by number; null: one colour for all. Shown from the next show(). */
+  colorVertices(colors: (string | null)[] | null): void {
+    this.vertexColors = colors;
+  }
+
+  /** Looks at this ball, not at the one around the mesh: that of another mesh beside it. */
+  lookAtBall(ball: { centre: Vec; radius: number }): void {
+    this.ball = ball;
+    this.reset();
+  }
+
+  /** Angles in degrees: 0, 0 looks from +z. The distance is in radii of the ball. */
+  lookFromAngles(azimuth: number, elevation: number, distance: number): void {
+    const radians = Math.PI / 180;
+    const up = Math.max(-89.9, Math.min(89.9, elevation)) * radians;
+    const direction: Vec = [Math.sin(azimuth * radians) * Math.cos(up), Math.sin(up), Math.cos(azimuth * radians) * Math.cos(up)];
+    this.lookFrom(direction, this.ball.centre, distance * this.ball.radius);
+  }
+
+  setCamera(camera: Camera): void {
+    this.camera.position.copy(camera.position);
+    this.controls.target.copy(camera.target);
+    this.camera.lookAt(camera.target);
+    this.draw();
+  }
+
+  private moved(): void {
+    this.draw();
+    this.onCamera({ position: this.camera.position, target: this.controls.target });
+  }
+
   reset(): void {
     this.lookFrom([0.55, 0.42, 0.9], this.ball.centre, this.ball.radius * 3.15);
   }
@@ -199,9 +253,12 @@ export class MeshView {
     this.draw();
   }
 
-  private resize(): void {
+  /** Takes the size of its place in the page. */
+  resize(): void {
     const { clientWidth, clientHeight } = this.host;
     if (clientWidth === 0 || clientHeight === 0) return;
+    if (this.size[0] === clientWidth && this.size[1] === clientHeight) return;
+    this.size = [clientWidth, clientHeight];
     // Before it is part of the page, it has no colours.
     if (this.colors.ground === '') this.restyle();
     this.renderer.setSize(clientWidth, clientHeight, false);
@@ -229,12 +286,14 @@ export class MeshView {
 
   draw(): void {
     cancelAnimationFrame(this.frame);
-    this.frame = requestAnimationFrame(() => {
-      this.renderer.render(this.scene, this.camera);
-      this.camera.updateMatrixWorld();
-      drawLabels(this.labelCanvas, this.dragging && this.labels.length > 200 ? [] : this.labels,
-        this.camera, this.colors);
-    });
+    this.frame = requestAnimationFrame(() => this.renderNow());
+  }
+
+  renderNow(): void {
+    this.renderer.render(this.scene, this.camera);
+    this.camera.updateMatrixWorld();
+    drawLabels(this.labelCanvas, this.dragging && this.labels.length > 200 ? [] : this.labels,
+      this.camera, this.colors);
   }
 
   private listenToPicks(): void {
@@ -273,41 +332,31 @@ export class MeshView {
     if (this.options.arrows) this.addArrows();
     this.addSelection();
     this.addArcs();
+    this.addWorst();
     this.addNormalLines();
     this.addLabels();
     this.draw();
   }
 
   private addSurface(surface: Surface): void {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(surface.positions, 3));
-    const smooth = this.options.smooth && this.normals !== null;
-    if (smooth) {
-      const normals = new Float32Array(surface.positions.length);
-      surface.corners.forEach((v, i) => {
-        for (let axis = 0; axis < 3; ++axis) normals[3 * i + axis] = this.normals![3 * v + axis]!;
-      });
-      geometry.setAttribute('normal', new THREE.BufferAttribute(normals, 3));
-    } else {
-      geometry.computeVertexNormals();
+    if (this.vertexColors) {
+      this.content.add(colouredObject(surface, this.vertexColors, this.colors.wrong));
+      return;
     }
-    for (const [side, color] of [
-      [THREE.FrontSide, this.colors.front],
-      [THREE.BackSide, this.colors.back],
-    ] as const) {
-      const material = new THREE.MeshLambertMaterial({
-        color, side, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2,
-      });
-      this.content.add(new THREE.Mesh(geometry, material));
+    const normals = this.options.smooth ? this.normals : null;
+    this.content.add(...surfaceObjects(surface, normals, this.colors.front, this.colors.back));
+  }
+
+  private addWorst(): void {
+    for (const index of this.marks.vertices ?? []) {
+      const at = this.mesh!.position(index);
+      this.content.add(ballObject(at, this.ball.radius * 0.02, this.colors.wrong));
+      this.labels.push({ text: nameOf({ kind: 'v', index }), at, normal: this.outward(at), style: 'wrong' });
     }
   }
 
   private addLines(points: Float32Array, color: string): void {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
-    const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color }));
-    lines.userData['detail'] = true;
-    this.content.add(lines);
+    this.content.add(lineObject(points, color));
   }
 
   /** Half-edges that say they lie in a face whose walk does not close: it is open. */
@@ -348,13 +397,7 @@ export class MeshView {
   }
 
   private addTriangles(points: Vec[], color: string, onTop = false): void {
-    if (points.length === 0) return;
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(Float32Array.from(points.flat()), 3));
-    const material = new THREE.MeshBasicMaterial({ color, side: THREE.DoubleSide, depthTest: !onTop });
-    const object = new THREE.Mesh(geometry, material);
-    object.renderOrder = onTop ? 2 : 1;
-    this.content.add(object);
+    if (points.length > 0) this.content.add(triangleObject(points, color, onTop));
   }
 
   /** The selected element, with the next and the twin of a half-edge. */
@@ -372,37 +415,17 @@ export class MeshView {
       this.addTriangles(this.arrowOf(mesh.next(element.index), 1.6), next, true);
       this.addTriangles(this.arrowOf(element.index, 1.9), selected, true);
     } else if (element.kind === 'v') {
-      this.addBall(mesh.position(element.index), this.ball.radius * 0.03, selected);
+      this.content.add(ballObject(mesh.position(element.index), this.ball.radius * 0.03, selected));
     } else if (element.kind === 'e') {
       const h = mesh.halfedge(element);
       const [a, b] = [mesh.vertex(h), mesh.end(h)];
-      if (a >= 0 && b >= 0) this.addTube([mesh.position(a), mesh.position(b)], selected, 0.009);
+      if (a < 0 || b < 0) return;
+      this.content.add(tubeObject([mesh.position(a), mesh.position(b)], selected, 0.009 * this.ball.radius));
     } else {
       for (const h of mesh.walk(element).halfedges) {
         this.addTriangles(this.arrowOf(h, 1.6), selected, true);
       }
     }
-  }
-
-  private addBall(at: Vec, radius: number, color: string): void {
-    const object = new THREE.Mesh(
-      new THREE.SphereGeometry(radius, 20, 14),
-      new THREE.MeshBasicMaterial({ color, depthTest: false }),
-    );
-    object.position.set(...at);
-    object.renderOrder = 3;
-    this.content.add(object);
-  }
-
-  private addTube(points: Vec[], color: string, thick: number): void {
-    const curve = new THREE.CatmullRomCurve3(points.map((p) => new THREE.Vector3(...p)));
-    const radius = thick * this.ball.radius;
-    const object = new THREE.Mesh(
-      new THREE.TubeGeometry(curve, points.length > 2 ? 32 : 1, radius, 8),
-      new THREE.MeshBasicMaterial({ color, depthTest: false }),
-    );
-    object.renderOrder = 3;
-    this.content.add(object);
   }
 
   /** A wrong pointer is an arc from its element to where it really leads. */
@@ -416,30 +439,10 @@ export class MeshView {
       const outward = unit(sub(from.centre, this.ball.centre));
       const to = arc.target && placeOf(this.mesh!, this.maker!, arc.target);
       const end: Vec = to ? to.centre : add(from.centre, scale(outward, 0.5 * this.ball.radius));
-      const apex = this.addArc(from.centre, end, outward);
+      const { objects, apex } = arcObjects(from.centre, end, outward, this.ball.radius, this.colors.wrong);
+      this.content.add(...objects);
       this.labels.push({ text: arc.text, at: to ? apex : end, normal: [0, 0, 0], style: 'wrong' });
     }
-  }
-
-  private addArc(from: Vec, to: Vec, outward: Vec): Vec {
-    const reach = length(sub(to, from));
-    const lift = scale(outward, 0.25 * reach + 0.06 * this.ball.radius);
-    const points: Vec[] = [];
-    for (let i = 0; i <= 12; ++i) {
-      const t = i / 12;
-      points.push(add(mix(from, to, t), scale(lift, 4 * t * (1 - t))));
-    }
-    this.addTube(points, this.colors.wrong, 0.008);
-    const tip = new THREE.Mesh(
-      new THREE.ConeGeometry(0.03 * this.ball.radius, 0.09 * this.ball.radius, 14),
-      new THREE.MeshBasicMaterial({ color: this.colors.wrong, depthTest: false }),
-    );
-    const direction = new THREE.Vector3(...unit(sub(to, points[11]!)));
-    tip.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
-    tip.position.set(...sub(to, scale(direction.toArray() as Vec, 0.04 * this.ball.radius)));
-    tip.renderOrder = 4;
-    this.content.add(tip);
-    return points[6]!;
   }
 
   private addNormalLines(): void {
@@ -461,14 +464,15 @@ export class MeshView {
     // The back of a surface with a boundary can be seen, so nothing of it is hidden.
     const open = mesh.countLive('b') > 0;
     const ids: Label[] = [];
-    for (const kind of ['f', 'h', 'v'] as const) {
+    for (const kind of ['f', 'h', 'e', 'v'] as const) {
+      if (kind === 'e' && !this.options.edgeIds) continue;
       for (let index = 0; index < mesh.size(kind); ++index) {
         const element: Element = { kind, index };
         if (!mesh.isLive(element) || sameElement(element, this.selected)) continue;
         const place = placeOf(mesh, this.maker!, element);
         if (!place) continue;
-        const normal: Vec = open ? [0, 0, 0] : kind === 'v' ? this.outward(place.centre) : place.normal;
-        const style = kind === 'v' ? 'vertex' : kind === 'h' ? 'halfedge' : 'face';
+        const normal: Vec = open ? [0, 0, 0] : kind === 'v' || kind === 'e' ? this.outward(place.centre) : place.normal;
+        const style = ({ v: 'vertex', h: 'halfedge', e: 'edge', f: 'face' } as const)[kind];
         ids.push({ text: nameOf(element), at: place.centre, normal, style });
       }
     }

@@ -230,6 +230,44 @@ test('Flip, split, subdivide and undo by keys alone', async () => {
   await viewer.stop();
 });
 
+test('Wrong weights are coloured, marked and listed by their distance from OpenSubdiv', async () => {
+  const viewer = await Viewer.start(homework('far off', 'loop_subdivision/old_vertices_stay'));
+  const { page } = viewer;
+  await page.keyboard.press('d');
+  await page.getByText('Nothing to compare here').waitFor();
+  await page.keyboard.press('u');
+  await viewer.steps(2);
+  await page.getByText('Off: 8 of 26 vertices').waitFor();
+  assert.match(await viewer.counts(), /Coloured by the distance from OpenSubdiv\. Off: 8 of 26/);
+  await page.locator('.worst button').first().click();
+  await page.getByText(/^Vertex v\d selected$/).waitFor();
+  await page.keyboard.press('Escape');
+  await snap(page, 'viewer_distance');
+  assert.deepEqual(await accessibilityProblems(page), []);
+  await page.keyboard.press('d');
+  assert.equal(await page.locator('.legend').count(), 0);
+  await viewer.stop();
+});
+
+test('Levels stand beside each other and follow the steps', async () => {
+  const viewer = await Viewer.start(homework('levels'));
+  const { page } = viewer;
+  await page.keyboard.press('u');
+  await viewer.steps(2);
+  await page.keyboard.press('v');
+  await page.getByText('level 1: 26 vertices').waitFor();
+  await page.keyboard.press('u');
+  await viewer.steps(3);
+  await page.getByText('level 2: 98 vertices').waitFor();
+  const captions = await page.locator('.mesh-grid figcaption').allTextContents();
+  assert.deepEqual(captions, ['level 0: 8 vertices', 'level 1: 26 vertices', 'level 2: 98 vertices']);
+  await snap(page, 'viewer_levels');
+  assert.deepEqual(await accessibilityProblems(page), []);
+  await page.keyboard.press('v');
+  assert.equal(await page.locator('.mesh-grid figcaption').count(), 0);
+  await viewer.stop();
+});
+
 test('A broken split is shown, and heals when the source is saved', async () => {
   const folder = homework('healing', 'edge_split/next_forgotten');
   const viewer = await Viewer.start(folder);

@@ -1,0 +1,137 @@
+#include "grader/app/screenshot.h"
+
+#include <unistd.h>
+
+#include <iostream>
+
+#include "grader/app/context.h"
+#include "grader/base/errors.h"
+#include "grader/base/safe_file.h"
+#include "grader/base/text.h"
+#include "grader/view/browser.h"
+#include "grader/view/deviation_scale.h"
+#include "grader/view/picture.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Says so before minutes of work, not after.
+void require_writable(const fs::path& out) {
+  const std::string extension = out.extension().string();
+  if (extension != ".png" && extension != ".svg") {
+    throw UserError(out.string() + ": a screenshot is a .png or an .svg file");
+  }
+  const fs::path folder = out.has_parent_path() ? out.parent_path() : fs::path(".");
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    throw UserError(out.string() + ": there is no folder " + folder.string());
+  }
+  if (fs::is_directory(out, error)) throw UserError(out.string() + ": is a folder");
+  if (::access(folder.c_str(), W_OK) != 0) {
+    throw UserError(out.string() + ": cannot be written: the folder is not writable");
+  }
+}
+
+/// "split e4: failed: split e4 ..., h3.next"
+void say(const CaseReport& told, const std::string& step) {
+  std::cout << step << ": " << verdict_name(told.verdict);
+  if (!told.note.empty()) std::cout << ": " << printable(told.note);
+  if (!told.findings.empty()) {
+    const Finding& finding = told.findings[0].finding;
+    std::cout << ": " << finding.rule << ": at " << printable(finding.element) << ", expected "
+              << printable(finding.expected) << ", came " << printable(finding.actual);
+  }
+  std::cout << "\n";
+}
+
+/// @return whether all steps came to their end
+bool run_steps(MeshSession& session, const std::vector<ViewOperation>& steps) {
+  for (const ViewOperation& step : steps) {
+    const std::string name = operation_text(step);
+    try {
+      session.apply(step);
+    } catch (const UserError& error) {
+      const Counts counts = count(session.states()[session.position()].mesh);
+      throw UserError("--steps: step " + std::to_string(session.position() + 1) + ", \"" +
+                      name + "\": " + error.what() + "; there are " +
+                      plural(counts.edges, "edge") + " then");
+    }
+    if (session.stopped()) {
+      say(session.stopped()->told, name);
+      std::cout << "The picture shows the mesh before " << name
+                << ", which did not come to its end.\n";
+      return false;
+    }
+    say(session.states()[session.position()].told, name);
+  }
+  return true;
+}
+
+/// Why nothing can be compared, or what came of it.
+void say_comparison(const MeshSession& session) {
+  const ViewState& state = session.states()[session.position()];
+  const bool subdivided =
+      session.position() > 0 &&
+      session.operations()[session.position() - 1].kind == ViewKind::kSubdivide;
+  if (!state.deviation.empty()) {
+    std::cout << deviation_text(state.deviation) << "\n";
+  } else if (subdivided) {
+    std::cout << "Not compared with OpenSubdiv: the mesh is not joined as it must be.\n";
+  } else {
+    std::cout << "Not compared with OpenSubdiv: the last step is no subdivision.\n";
+  }
+}
+
+void write_svg(const MeshSession& session, const PictureRequest& request, const fs::path& file,
+               const std::string& why) {
+  write_file_safely(file, picture_svg(session, request));
+  std::cout << file.string() << ": drawn by the grader itself, as SVG" << why << "\n";
+}
+
+}  // namespace
+
+PictureRequest read_request(const ScreenshotOptions& options) {
+  require_writable(options.out);
+  PictureRequest request;
+  if (!options.steps.empty()) request.steps = parse_steps(options.steps);
+  if (!options.camera.empty()) request.camera = parse_camera(options.camera);
+  if (!options.size.empty()) request.size = parse_size(options.size);
+  request.wireframe = options.wireframe;
+  request.ids = options.ids;
+  request.dark = options.dark;
+  request.levels = options.levels;
+  request.compare = options.compare;
+  return request;
+}
+
+int take_screenshot(MeshSession& session, const PictureRequest& request, const fs::path& out) {
+  const bool all_done = run_steps(session, request.steps);
+  if (request.compare) say_comparison(session);
+  std::cout << picture_title(session) << "\n";
+  const int exit_code = all_done ? 0 : 1;
+  if (out.extension() == ".svg") {
+    write_svg(session, request, out, "");
+    return exit_code;
+  }
+  const fs::path instead = fs::path(out).replace_extension(".svg");
+  const fs::path browser = find_browser();
+  if (browser.empty()) {
+    write_svg(
+        session, request, instead,
+        ", because no browser is on the PATH (chromium, chromium-browser, google-chrome)");
+    return exit_code;
+  }
+  const Photograph taken = photograph(browser, picture_page(session, request, viewer_page()),
+                                      request.size, request.dark);
+  if (taken.png.empty()) {
+    write_svg(session, request, instead, ", because " + taken.why);
+    return exit_code;
+  }
+  write_file_safely(out, taken.png);
+  std::cout << out.string() << ": taken by " << browser.string() << "\n";
+  return exit_code;
+}
+
+}  // namespace meshgrade

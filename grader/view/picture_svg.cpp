@@ -1,0 +1,328 @@
+#include "grader/view/picture_svg.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "grader/base/text.h"
+#include "grader/report/projection.h"
+#include "grader/view/deviation_scale.h"
+
+namespace meshgrade {
+namespace {
+
+using meshedit::Vector3D;
+
+constexpr double kCaption = 30.0;
+constexpr double kLegend = 46.0;
+constexpr double kFieldOfView = 38.0;  // of the page's camera, so that both pictures agree
+constexpr std::size_t kMostLabelled = 400;
+
+/// The same as in the page's style sheet.
+struct Theme {
+  const char* ground;
+  const char* ink;
+  const char* line;
+  const char* wrong;
+  const char* back;   ///< of faces seen from behind
+  const char* dim;    ///< of faces that get no light
+  const char* light;  ///< of faces that get all
+};
+constexpr Theme kLight{"#fbfcfd", "#2a3440", "#4a5560", "#c03a00",
+                       "#b9a892", "#8796a8", "#dde6f0"};
+constexpr Theme kDark{"#171b20", "#dfe5eb", "#b4bec9", "#ff8f5a",
+                      "#5d4b3a", "#2c343e", "#75859a"};
+
+/// The vertices of a face whose walk closes; empty if it does not.
+std::vector<Ref> corners_of(const MeshDump& mesh, const FaceRecord& face) {
+  std::vector<Ref> corners;
+  Ref h = face.halfedge;
+  while (h < mesh.halfedges.size() && corners.size() <= mesh.halfedges.size()) {
+    const HalfedgeRecord& record = mesh.halfedges[h];
+    if (record.live == 0 || record.vertex >= mesh.vertices.size()) return {};
+    corners.push_back(record.vertex);
+    h = record.next;
+    if (h == face.halfedge) return corners.size() >= 3 ? corners : std::vector<Ref>{};
+  }
+  return {};
+}
+
+using Ends = std::pair<Ref, Ref>;
+
+/// The two ends of a half-edge, by its twin.
+bool find_ends(const MeshDump& mesh, const HalfedgeRecord& h, Ends& ends) {
+  if (h.live == 0 || h.twin >= mesh.halfedges.size()) return false;
+  ends = std::minmax(h.vertex, mesh.halfedges[h.twin].vertex);
+  return ends.first != ends.second && ends.second < mesh.vertices.size();
+}
+
+/// Something to draw: a face, or a line that no face has as a side.
+struct Shape {
+  std::vector<Ref> corners;
+  Ref face = kUnsetRef;
+};
+
+std::vector<Shape> shapes_of(const MeshDump& mesh) {
+  std::vector<Shape> shapes;
+  std::set<Ends> sides;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (mesh.faces[f].live == 0) continue;
+    Shape shape{corners_of(mesh, mesh.faces[f]), static_cast<Ref>(f)};
+    for (std::size_t i = 0; i < shape.corners.size(); ++i)
+      sides.insert(
+          std::minmax(shape.corners[i], shape.corners[(i + 1) % shape.corners.size()]));
+    if (!shape.corners.empty()) shapes.push_back(std::move(shape));
+  }
+  Ends ends;
+  for (const HalfedgeRecord& h : mesh.halfedges) {
+    if (find_ends(mesh, h, ends) && sides.insert(ends).second)
+      shapes.push_back({{ends.first, ends.second}, kUnsetRef});
+  }
+  return shapes;
+}
+
+/// The box around all live vertices, as its middle and half its diagonal.
+struct Ball {
+  Point3 centre{0.0, 0.0, 0.0};
+  double radius = 1.0;
+};
+
+Ball ball_of(const MeshDump& mesh) {
+  Point3 low{INFINITY, INFINITY, INFINITY};
+  Point3 high{-INFINITY, -INFINITY, -INFINITY};
+  for (const VertexRecord& v : mesh.vertices) {
+    if (v.live == 0 || !is_finite(vector_of(v.position))) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], v.position[axis]);
+      high[axis] = std::max(high[axis], v.position[axis]);
+    }
+  }
+  Ball ball;
+  if (!(low[0] <= high[0])) return ball;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    ball.centre[axis] = 0.5 * (low[axis] + high[axis]);
+  const double diagonal = (vector_of(high) - vector_of(low)).norm();
+  if (diagonal > 0.0) ball.radius = 0.5 * diagonal;
+  return ball;
+}
+
+Projection projection_of(const Camera& camera) {
+  const double radians = std::numbers::pi / 180.0;
+  const double azimuth = camera.azimuth * radians;
+  // Straight from above or below, up would be lost.
+  const double elevation = std::clamp(camera.elevation, -89.9, 89.9) * radians;
+  return {{std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+           std::cos(azimuth) * std::cos(elevation)},
+          {0.0, 1.0, 0.0}};
+}
+
+/// Up and to the left of the eye.
+Camera lamp_beside(const Camera& eye) {
+  return {eye.azimuth - 28.0, eye.elevation + 28.0, eye.distance};
+}
+
+/// One mesh in its box.
+class Painter {
+ public:
+  Painter(const SvgPen& pen, const PicturePanel& panel, const PictureRequest& request,
+          const Ball& ball, const Box& box)
+      : pen_(pen),
+        mesh_(panel.mesh),
+        deviation_(panel.deviation),
+        request_(request),
+        theme_(request.dark ? kDark : kLight),
+        view_(projection_of(request.camera)),
+        light_(projection_of(lamp_beside(request.camera))),
+        middle_{0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)},
+        centre_(view_.on_screen(ball.centre)) {
+    const double seen = ball.radius * request.camera.distance *
+                        std::tan(0.5 * kFieldOfView * std::numbers::pi / 180.0);
+    scale_ = 0.5 * std::min(box.x1 - box.x0, box.y1 - box.y0) / seen;
+  }
+
+  void paint() const {
+    const std::vector<Shape> shapes = shapes_of(mesh_);
+    std::vector<double> depths;
+    for (const Shape& shape : shapes)
+      depths.push_back(view_.depth(middle_of(shape)));
+    const SvgPen faces = pen_.group("faces");
+    for (const std::size_t i : far_to_near(depths))
+      paint_shape(faces, shapes[i]);
+    if (request_.compare && !deviation_.empty()) mark_worst();
+    if (request_.ids && mesh_.halfedges.size() <= kMostLabelled) paint_ids(shapes);
+  }
+
+ private:
+  Spot spot(const Point3& p) const {
+    const Spot s = scale_ * (view_.on_screen(p) - centre_);
+    return std::isfinite(s.x) && std::isfinite(s.y) ? middle_ + s : middle_;
+  }
+  const Point3& place(Ref v) const { return mesh_.vertices[v].position; }
+
+  Point3 middle_of(const Shape& shape) const {
+    Point3 sum{0.0, 0.0, 0.0};
+    for (const Ref v : shape.corners) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        sum[axis] += place(v)[axis] / static_cast<double>(shape.corners.size());
+    }
+    return sum;
+  }
+
+  double facing(const Projection& from, const Shape& shape) const {
+    return from.facing(place(shape.corners[0]), place(shape.corners[1]),
+                       place(shape.corners[2]));
+  }
+
+  std::string fill_of(const Shape& shape) const {
+    if (request_.wireframe) return "none";
+    if (request_.compare && !deviation_.empty()) {
+      double sum = 0.0;
+      for (const Ref v : shape.corners)
+        sum += deviation_.of_vertex[v];
+      return deviation_color(deviation_, sum / static_cast<double>(shape.corners.size()));
+    }
+    if (facing(view_, shape) < 0.0) return theme_.back;
+    return mixed_color(theme_.dim, theme_.light, std::max(0.0, facing(light_, shape)));
+  }
+
+  void paint_shape(const SvgPen& pen, const Shape& shape) const {
+    std::vector<Spot> spots;
+    for (const Ref v : shape.corners)
+      spots.push_back(spot(place(v)));
+    const Stroke stroke{theme_.line, 0.9};
+    if (spots.size() == 2) {
+      pen.line(spots[0], spots[1], {theme_.wrong, 1.6});
+    } else {
+      pen.polygon(spots, fill_of(shape).c_str(), stroke);
+    }
+  }
+
+  void mark_worst() const {
+    const SvgPen group = pen_.group("worst");
+    for (const Ref v : shown_worst(deviation_)) {
+      const Spot at = spot(place(v));
+      group.circle(at, 6.0, "none", {theme_.wrong, 2.0});
+      label(group, at + Spot{0.0, -15.0}, vertex_name(v), theme_.wrong);
+    }
+  }
+
+  void label(const SvgPen& pen, Spot at, const std::string& text, const char* ground) const {
+    constexpr double kSize = 11.5;
+    pen.box(box_around(at, text_width(text, kSize) + 6.0, 15.0), 3.0, ground, {});
+    pen.text(at, text, {kSize, ground == theme_.ground ? theme_.ink : theme_.ground});
+  }
+
+  /// Of what faces the eye; of all, if the mesh has holes to look through.
+  void paint_ids(const std::vector<Shape>& shapes) const {
+    const bool open = request_.wireframe || !mesh_.boundaries.empty();
+    std::set<Ref> vertices;
+    std::set<Ends> seen;
+    const SvgPen group = pen_.group("ids");
+    for (const Shape& shape : shapes) {
+      if (shape.corners.size() < 3 || (!open && facing(view_, shape) <= 0.0)) continue;
+      pen_.group("face-id").text(spot(middle_of(shape)), face_name(shape.face),
+                                 {11.5, theme_.ink});
+      vertices.insert(shape.corners.begin(), shape.corners.end());
+      for (std::size_t i = 0; i < shape.corners.size(); ++i)
+        seen.insert(
+            std::minmax(shape.corners[i], shape.corners[(i + 1) % shape.corners.size()]));
+    }
+    Ends ends;
+    for (const HalfedgeRecord& h : mesh_.halfedges) {
+      if (!find_ends(mesh_, h, ends) || seen.erase(ends) == 0) continue;
+      label(group, 0.5 * (spot(place(ends.first)) + spot(place(ends.second))),
+            edge_name(h.edge), theme_.ground);
+    }
+    for (const Ref v : vertices)
+      label(group, spot(place(v)), vertex_name(v), theme_.ink);
+  }
+
+  SvgPen pen_;
+  const MeshDump& mesh_;
+  const Deviation& deviation_;
+  const PictureRequest& request_;
+  const Theme& theme_;
+  Projection view_;
+  Projection light_;
+  Spot middle_;
+  Spot centre_;
+  double scale_ = 1.0;
+};
+
+void draw_legend(const SvgPen& pen, const Deviation& deviation, const PictureRequest& request) {
+  const Theme& theme = request.dark ? kDark : kLight;
+  constexpr int kSteps = 40;
+  constexpr double kWidth = 200.0;
+  const double top = request.size.height - kLegend + 8.0;
+  const SvgPen group = pen.group("legend");
+  for (int i = 0; i < kSteps; ++i) {
+    const double x = 14.0 + kWidth * i / kSteps;
+    const double part = deviation_range(deviation) * (i + 0.5) / kSteps;
+    group.box({x, top, x + kWidth / kSteps + 0.5, top + 12.0}, 0.0,
+              deviation_color(deviation, part).c_str(), {});
+  }
+  const std::array<std::string, 2> ends = deviation_ends(deviation);
+  const Lettering small{11.5, theme.ink, false, Anchor::kStart, false};
+  group.text({14.0, top + 22.0}, ends[0], small);
+  group.text({14.0 + 0.5 * kWidth, top + 22.0}, ends[1], small);
+  const auto letters =
+      static_cast<std::size_t>((request.size.width - kWidth - 40.0) / text_width("m", 11.5));
+  group.text({kWidth + 28.0, top + 6.0}, shortened(deviation_text(deviation), letters), small);
+}
+
+/// How many panels stand beside each other, so that they come out as large as possible.
+std::size_t best_columns(std::size_t count, PictureSize size) {
+  std::size_t best = 1;
+  double largest = 0.0;
+  for (std::size_t columns = 1; columns <= count; ++columns) {
+    const std::size_t rows = (count + columns - 1) / columns;
+    const double side = std::min(size.width / static_cast<double>(columns),
+                                 size.height / static_cast<double>(rows) - kCaption);
+    if (side > largest) {
+      largest = side;
+      best = columns;
+    }
+  }
+  return best;
+}
+
+void draw(const SvgPen& pen, const std::vector<PicturePanel>& panels,
+          const PictureRequest& request) {
+  const Theme& theme = request.dark ? kDark : kLight;
+  const double width = request.size.width;
+  pen.box({0.0, 0.0, width, static_cast<double>(request.size.height)}, 0.0, theme.ground, {});
+  const Deviation& last = panels.back().deviation;
+  const bool legend = request.compare && !last.empty();
+  const double height = request.size.height - (legend ? kLegend : 0.0);
+  const std::size_t columns = best_columns(panels.size(), request.size);
+  const std::size_t rows = (panels.size() + columns - 1) / columns;
+  const Ball ball = ball_of(panels[0].mesh);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const double w = width / static_cast<double>(columns);
+    const double h = height / static_cast<double>(rows);
+    const Spot corner{w * static_cast<double>(i % columns),
+                      h * static_cast<double>(i / columns)};
+    const double head = panels[i].caption.empty() ? 0.0 : kCaption;
+    pen.text(corner + Spot{0.5 * w, 17.0}, panels[i].caption,
+             {14.0, theme.ink, false, Anchor::kMiddle, false});
+    const Box box{corner.x, corner.y + head, corner.x + w, corner.y + h};
+    Painter(pen.clipped_group("mesh", box), panels[i], request, ball, box).paint();
+  }
+  if (legend) draw_legend(pen, last, request);
+}
+
+}  // namespace
+
+std::string picture_svg(const std::vector<PicturePanel>& panels, const PictureRequest& request,
+                        const std::string& title, const std::string& description) {
+  return svg_document("meshgrade-picture", "picture", title, description,
+                      [&](pugi::xml_node svg) {
+                        draw(SvgPen(svg), panels, request);
+                        return Spot{static_cast<double>(request.size.width),
+                                    static_cast<double>(request.size.height)};
+                      });
+}
+
+}  // namespace meshgrade

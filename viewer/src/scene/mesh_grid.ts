@@ -1,0 +1,79 @@
+// Several meshes beside each other, seen by one camera.
+
+import { el, replace } from '../dom';
+import { MeshView, type Camera, type ViewSetup } from './mesh_view';
+import { ballOf } from './shapes';
+import type { Mesh } from '../model/mesh';
+import type { Marks, ViewOptions } from './mesh_view';
+
+export interface GridCell {
+  caption: string;
+  /** What the picture shows, for those who do not see it. */
+  text: string;
+  mesh: Mesh;
+  marks: Marks;
+  colors: (string | null)[] | null;
+}
+
+const CAPTION = 30;
+
+/** How many stand beside each other, so that they come out as large as possible. */
+export function bestColumns(count: number, width: number, height: number): number {
+  let best = 1;
+  let largest = 0;
+  for (let columns = 1; columns <= count; ++columns) {
+    const side = Math.min(width / columns, height / Math.ceil(count / columns) - CAPTION);
+    if (side > largest) {
+      largest = side;
+      best = columns;
+    }
+  }
+  return best;
+}
+
+export class MeshGrid {
+  readonly element = el('div', { class: 'mesh-grid' });
+  private views: MeshView[] = [];
+
+  /** The grid takes all of `width` and `height`, in pixels, of the page that it is part of. */
+  show(cells: GridCell[], width: number, height: number, options: Partial<ViewOptions>, setup: ViewSetup = {}): void {
+    this.clear();
+    const columns = bestColumns(cells.length, width, height);
+    this.element.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
+    const stages = cells.map(() => el('div', { class: 'stage' }));
+    replace(this.element, ...cells.map((cell, i) => el('figure', { class: 'grid-cell' },
+      cell.caption !== '' && el('figcaption', {}, cell.caption),
+      el('div', { class: 'stage-holder' }, stages[i]!))));
+    const ball = ballOf(cells[0]!.mesh);
+    this.views = cells.map((cell, i) => {
+      const view = new MeshView(stages[i]!, setup);
+      Object.assign(view.options, options);
+      view.canvas.setAttribute('aria-label', cell.text);
+      view.resize();
+      view.colorVertices(cell.colors);
+      view.show(cell.mesh, cell.marks, false);
+      view.lookAtBall(ball);
+      view.onCamera = (camera) => this.follow(view, camera);
+      return view;
+    });
+  }
+
+  /** Angles in degrees, the distance in radii of the first mesh. */
+  lookFrom(azimuth: number, elevation: number, distance: number): void {
+    for (const view of this.views) view.lookFromAngles(azimuth, elevation, distance);
+  }
+
+  renderNow(): void {
+    for (const view of this.views) view.renderNow();
+  }
+
+  clear(): void {
+    for (const view of this.views) view.dispose();
+    this.views = [];
+    this.element.replaceChildren();
+  }
+
+  private follow(leader: MeshView, camera: Camera): void {
+    for (const view of this.views) if (view !== leader) view.setCamera(camera);
+  }
+}
