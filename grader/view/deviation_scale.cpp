@@ -9,7 +9,7 @@
 namespace meshgrade {
 namespace {
 
-constexpr std::size_t kMostMarked = 6;
+constexpr std::size_t kMostMarked = 8;
 
 }  // namespace
 

@@ -178,10 +178,11 @@ class Painter {
   std::string fill_of(const Shape& shape) const {
     if (request_.wireframe) return "none";
     if (request_.compare && !deviation_.empty()) {
-      double sum = 0.0;
+      // Its worst vertex: a mean would hide the one that sticks out.
+      double worst = 0.0;
       for (const Ref v : shape.corners)
-        sum += deviation_.of_vertex[v];
-      return deviation_color(deviation_, sum / static_cast<double>(shape.corners.size()));
+        worst = std::max(worst, deviation_.of_vertex[v]);
+      return deviation_color(deviation_, worst);
     }
     if (facing(view_, shape) < 0.0) return theme_.back;
     return mixed_color(theme_.dim, theme_.light, std::max(0.0, facing(light_, shape)));
@@ -251,6 +252,14 @@ class Painter {
   double scale_ = 1.0;
 };
 
+/// Broken between words; what does not fit into the second line is cut off.
+std::pair<std::string, std::string> in_two_lines(const std::string& text, std::size_t letters) {
+  if (text.size() <= letters) return {text, ""};
+  const std::size_t gap = text.rfind(' ', letters);
+  if (gap == std::string::npos) return {shortened(text, letters), ""};
+  return {text.substr(0, gap), shortened(text.substr(gap + 1), letters)};
+}
+
 void draw_legend(const SvgPen& pen, const Deviation& deviation, const PictureRequest& request) {
   const Theme& theme = request.dark ? kDark : kLight;
   constexpr int kSteps = 40;
@@ -264,12 +273,15 @@ void draw_legend(const SvgPen& pen, const Deviation& deviation, const PictureReq
               deviation_color(deviation, part).c_str(), {});
   }
   const std::array<std::string, 2> ends = deviation_ends(deviation);
-  const Lettering small{11.5, theme.ink, false, Anchor::kStart, false};
+  Lettering small{11.5, theme.ink, false, Anchor::kStart, false};
   group.text({14.0, top + 22.0}, ends[0], small);
-  group.text({14.0 + 0.5 * kWidth, top + 22.0}, ends[1], small);
-  const auto letters =
-      static_cast<std::size_t>((request.size.width - kWidth - 40.0) / text_width("m", 11.5));
-  group.text({kWidth + 28.0, top + 6.0}, shortened(deviation_text(deviation), letters), small);
+  const auto letters = static_cast<std::size_t>((request.size.width - kWidth - 40.0) /
+                                                text_width("m", small.size));
+  const auto [first, second] = in_two_lines(deviation_text(deviation), letters);
+  group.text({kWidth + 28.0, top + 6.0}, first, small);
+  group.text({kWidth + 28.0, top + 22.0}, second, small);
+  small.anchor = Anchor::kEnd;
+  group.text({14.0 + kWidth, top + 22.0}, ends[1], small);
 }
 
 /// How many panels stand beside each other, so that they come out as large as possible.

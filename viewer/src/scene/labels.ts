@@ -2,24 +2,29 @@
 
 import { Vector3, type Camera } from 'three';
 import type { Palette } from './colors';
-import type { Vec } from './shapes';
+import type { Plane, Vec } from './shapes';
 
 export interface Label {
   text: string;
   at: Vec;
   /** Hidden when it faces away from the camera; zero: always shown. */
   normal: Vec;
+  /** Of all faces around it: hidden when all of them face away. */
+  planes?: Plane[];
   style: 'vertex' | 'halfedge' | 'face' | 'edge' | 'wrong' | 'selected';
 }
 
 const FONT = 'ui-monospace, "SFMono-Regular", Menlo, Consolas, "DejaVu Sans Mono", monospace';
 
-function isHidden(label: Label, camera: Camera): boolean {
-  const [x, y, z] = label.normal;
-  if (x === 0 && y === 0 && z === 0) return false;
-  const [a, b, c] = label.at;
-  const eye = camera.position;
+function facesAway({ centre: [a, b, c], normal: [x, y, z] }: Plane, eye: Vector3): boolean {
   return x * (eye.x - a) + y * (eye.y - b) + z * (eye.z - c) <= 0;
+}
+
+function isHidden(label: Label, camera: Camera): boolean {
+  const { at, normal, planes } = label;
+  if (planes && planes.length > 0) return planes.every((plane) => facesAway(plane, camera.position));
+  if (normal.every((x) => x === 0)) return false;
+  return facesAway({ centre: at, normal }, camera.position);
 }
 
 export function drawLabels(

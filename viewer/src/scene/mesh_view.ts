@@ -7,8 +7,8 @@ import { palette, type Palette } from './colors';
 import { drawLabels, type Label } from './labels';
 import { pick } from './picking';
 import {
-  ArrowMaker, add, arrowTriangles, ballOf, dot, length, linesOf, mix, placeOf, scale, sub,
-  surfaceOf, unit, type Surface, type Vec,
+  ArrowMaker, add, arrowTriangles, ballOf, length, linesOf, mix, placeOf, planesAround,
+  planesBeside, scale, sub, surfaceOf, unit, type Plane, type Surface, type Vec,
 } from './shapes';
 import { arcObjects, ballObject, colouredObject, lineObject, surfaceObjects, triangleObject, tubeObject } from './solids';
 import { softwareRendered } from './webgl';
@@ -329,7 +329,7 @@ export class MeshView {
     if (!this.options.wireframe) this.addSurface(this.surface);
     if (this.options.edges) this.addLines(linesOf(this.mesh), this.colors.line);
     for (const { points, color } of this.lines) this.addLines(points, this.colors[color]);
-    if (this.options.arrows) this.addArrows();
+    if (this.options.arrows && !this.vertexColors) this.addArrows();
     this.addSelection();
     this.addArcs();
     this.addWorst();
@@ -351,7 +351,7 @@ export class MeshView {
     for (const index of this.marks.vertices ?? []) {
       const at = this.mesh!.position(index);
       this.content.add(ballObject(at, this.ball.radius * 0.02, this.colors.wrong));
-      this.labels.push({ text: nameOf({ kind: 'v', index }), at, normal: this.outward(at), style: 'wrong' });
+      this.labels.push({ text: nameOf({ kind: 'v', index }), at, normal: [0, 0, 0], style: 'wrong' });
     }
   }
 
@@ -461,27 +461,37 @@ export class MeshView {
   private addLabels(): void {
     const mesh = this.mesh!;
     if (!this.options.ids || mesh.halfedgeCount > MOST_LABELS) return;
-    // The back of a surface with a boundary can be seen, so nothing of it is hidden.
-    const open = mesh.countLive('b') > 0;
+    const around = planesAround(mesh, this.maker!);
     const ids: Label[] = [];
     for (const kind of ['f', 'h', 'e', 'v'] as const) {
-      if (kind === 'e' && !this.options.edgeIds) continue;
+      if ((kind === 'e' && !this.options.edgeIds) || (kind === 'h' && this.vertexColors)) continue;
       for (let index = 0; index < mesh.size(kind); ++index) {
         const element: Element = { kind, index };
         if (!mesh.isLive(element) || sameElement(element, this.selected)) continue;
-        const place = placeOf(mesh, this.maker!, element);
-        if (!place) continue;
-        const normal: Vec = open ? [0, 0, 0] : kind === 'v' || kind === 'e' ? this.outward(place.centre) : place.normal;
-        const style = ({ v: 'vertex', h: 'halfedge', e: 'edge', f: 'face' } as const)[kind];
-        ids.push({ text: nameOf(element), at: place.centre, normal, style });
+        const label = this.labelOf(element, around);
+        if (label) ids.push(label);
       }
     }
     this.labels.unshift(...ids);
   }
 
-  /** Good enough to hide the labels of vertices on the far side. */
-  private outward(at: Vec): Vec {
-    const outward = sub(at, this.ball.centre);
-    return dot(outward, outward) > 0 ? outward : [0, 0, 0];
+  private labelOf(element: Element, around: Map<number, Plane[]>): Label | null {
+    const mesh = this.mesh!;
+    const place = placeOf(mesh, this.maker!, element);
+    if (!place) return null;
+    const { kind, index } = element;
+    const style = ({ v: 'vertex', h: 'halfedge', e: 'edge', f: 'face', b: 'face' } as const)[kind];
+    const label: Label = { text: nameOf(element), at: place.centre, normal: [0, 0, 0], style };
+    if (kind === 'e') {
+      // Aside of the middle, where the names of its half-edges are.
+      const h = mesh.halfedge(element);
+      label.at = mix(mesh.position(mesh.vertex(h)), mesh.position(mesh.end(h)), 0.3);
+    }
+    // The back of a surface with a boundary can be seen, so nothing of it is hidden.
+    if (mesh.countLive('b') > 0) return label;
+    if (kind === 'v') label.planes = around.get(index) ?? [];
+    else if (kind === 'e') label.planes = planesBeside(mesh, this.maker!, element);
+    else label.normal = place.normal;
+    return label;
   }
 }

@@ -199,6 +199,27 @@ export function placeOf(mesh: Mesh, maker: ArrowMaker, element: Element): Plane 
   return { centre: mix(mesh.position(a), mesh.position(b), 0.5), normal: [0, 0, 0] };
 }
 
+/** The planes of the closed faces around each vertex. */
+export function planesAround(mesh: Mesh, maker: ArrowMaker): Map<number, Plane[]> {
+  const around = new Map<number, Plane[]>();
+  for (const walk of mesh.faces()) {
+    const plane = walk.closed ? maker.plane(walk.face) : null;
+    if (!plane) continue;
+    for (const h of walk.halfedges) {
+      const v = mesh.vertex(h);
+      around.set(v, [...(around.get(v) ?? []), plane]);
+    }
+  }
+  return around;
+}
+
+/** The planes of the two faces beside an edge, as far as there are any. */
+export function planesBeside(mesh: Mesh, maker: ArrowMaker, edge: Element): Plane[] {
+  const h = mesh.halfedge(edge);
+  if (h < 0) return [];
+  return [h, mesh.twin(h)].flatMap((side) => (side < 0 ? [] : (maker.plane(mesh.face(side)) ?? [])));
+}
+
 /** The box around all live vertices, as its middle and half its diagonal. */
 export function ballOf(mesh: Mesh): { centre: Vec; radius: number } {
   const low: Vec = [Infinity, Infinity, Infinity];
