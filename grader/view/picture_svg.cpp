@@ -317,8 +317,10 @@ void draw(const SvgPen& pen, const std::vector<PicturePanel>& panels,
     const Spot corner{w * static_cast<double>(i % columns),
                       h * static_cast<double>(i / columns)};
     const double head = panels[i].caption.empty() ? 0.0 : kCaption;
-    pen.text(corner + Spot{0.5 * w, 17.0}, panels[i].caption,
-             {14.0, theme.ink, false, Anchor::kMiddle, false});
+    if (head > 0.0) {
+      pen.text(corner + Spot{0.5 * w, 17.0}, panels[i].caption,
+               {14.0, theme.ink, false, Anchor::kMiddle, false});
+    }
     const Box box{corner.x, corner.y + head, corner.x + w, corner.y + h};
     Painter(pen.clipped_group("mesh", box), panels[i], request, ball, box).paint();
   }
