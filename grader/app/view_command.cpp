@@ -150,10 +150,9 @@ void add_screenshot_options(CLI::App& command, ScreenshotOptions& options) {
   const auto add = [&](CLI::Option* option) { option->needs(out)->group(group); };
   add(command.add_option("--steps", options.steps,
                          "What your functions do first: \"flip e3, split e5, subdivide 2\""));
-  add(command.add_option(
-      "--camera", options.camera,
-      "AZIMUTH,ELEVATION[,DISTANCE]: degrees, 0,0 from the front; 31,22,3.5 "
-      "if not given"));
+  add(command.add_option("--camera", options.camera,
+                         "AZIMUTH,ELEVATION[,DISTANCE]: degrees, 0,0 from the front; 31,22,3.5 "
+                         "if not given"));
   add(command.add_option("--size", options.size,
                          "WIDTHxHEIGHT in pixels; 960x720 if not given"));
   add(command.add_flag("--levels", options.levels, "All levels of subdivision side by side"));
