@@ -47,7 +47,7 @@ TEST_F(Screenshot, WrongWeightsAreToldWithTheWorstVertex) {
   // Subdivision calls the flip and the split of the same submission.
   fs::copy(reference(), folder_, fs::copy_options::recursive);
   fs::copy(wrong("loop_subdivision/old_vertices_stay"), folder_,
-           fs::copy_options::overwrite_existing);
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   const Said said =
       shoot(folder_, {"--screenshot", picture("a.svg"), "--steps", "subdivide", "--compare"});
   EXPECT_EQ(said.status, 0) << said.output;
