@@ -44,6 +44,13 @@ export function button(text: Child, onClick: () => void, props: Props = {}): HTM
   return el('button', { type: 'button', ...props, on: { click: onClick } }, text);
 }
 
+/** A button that says which key does the same. */
+export function keyButton(text: string, key: string, onClick: () => void, props: Props = {}): HTMLButtonElement {
+  const made = button(text, onClick, { 'aria-keyshortcuts': key, ...props });
+  made.append(' ', el('kbd', {}, key));
+  return made;
+}
+
 /** An SVG picture as nodes, without anything that could run or reach out. */
 export function picture(svgText: string): SVGElement | null {
   const parsed = new DOMParser().parseFromString(svgText, 'image/svg+xml');

@@ -5,7 +5,9 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { nameOf, sameElement, type Element, type Mesh } from '../model/mesh';
 import { palette, type Palette } from './colors';
 import { drawLabels, type Label } from './labels';
-import { pick } from './picking';
+import { Handles, rayAt } from './handles';
+import { hitSurface, pick, type SurfaceHit } from './picking';
+import { ball, flatTriangles, tip, tube } from './solids';
 import { softwareRendered } from './webgl';
 import {
   ArrowMaker, add, arrowTriangles, ballOf, dot, length, linesOf, mix, placeOf, scale, sub,
@@ -41,6 +43,15 @@ const MOST_ARROWS = 3000;
 const MOST_LABELS = 400;
 const HEAVY_TRIANGLES = 20000;
 
+function clear(group: THREE.Group): void {
+  group.traverse((object) => {
+    if (!(object instanceof THREE.Mesh || object instanceof THREE.LineSegments)) return;
+    object.geometry.dispose();
+    for (const material of [object.material].flat()) (material as THREE.Material).dispose();
+  });
+  group.clear();
+}
+
 export class MeshView {
   readonly canvas: HTMLCanvasElement;
   readonly options: ViewOptions = {
@@ -49,6 +60,10 @@ export class MeshView {
   /** Further lines, as pairs of ends. */
   lines: { points: Float32Array; color: keyof Palette }[] = [];
   onPick: (element: Element | null) => void = () => {};
+  /** Where the pointer is on the surface while no button is down. */
+  onSurface: ((hit: SurfaceHit | null) => void) | null = null;
+  /** The colours have changed: what was drawn from outside must be drawn again. */
+  onRestyle: () => void = () => {};
 
   private readonly renderer: THREE.WebGLRenderer;
   private readonly labelCanvas = document.createElement('canvas');
@@ -57,6 +72,8 @@ export class MeshView {
   private readonly lamp = new THREE.DirectionalLight(0xffffff, 1.6);
   private readonly controls: OrbitControls;
   private readonly content = new THREE.Group();
+  /** What changes with the selection, so that a click does not make a large mesh anew. */
+  private readonly overlay = new THREE.Group();
   private readonly software: boolean;
   private readonly observer: ResizeObserver;
   private colors: Palette;
@@ -67,6 +84,7 @@ export class MeshView {
   private normals: Float32Array | null = null;
   private selected: Element | null = null;
   private labels: Label[] = [];
+  private holeLabels: Label[] = [];
   private ball = { centre: [0, 0, 0] as Vec, radius: 1 };
   private frame = 0;
   private dragging = false;
@@ -83,7 +101,7 @@ export class MeshView {
     this.labelCanvas.setAttribute('aria-hidden', 'true');
     host.replaceChildren(this.canvas, this.labelCanvas);
     this.colors = palette(host);
-    this.scene.add(this.content, new THREE.HemisphereLight(0xffffff, 0x9a9a9a, 1.9), this.camera);
+    this.scene.add(this.content, this.overlay, new THREE.HemisphereLight(0xffffff, 0x9a9a9a, 1.9), this.camera);
     this.camera.add(this.lamp);
     this.lamp.position.set(-0.6, 0.9, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -100,7 +118,8 @@ export class MeshView {
     this.observer.disconnect();
     matchMedia('(prefers-color-scheme: dark)').removeEventListener('change', this.restyle);
     cancelAnimationFrame(this.frame);
-    this.clear();
+    clear(this.content);
+    clear(this.overlay);
     this.controls.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
@@ -109,6 +128,7 @@ export class MeshView {
   private readonly restyle = (): void => {
     this.colors = palette(this.host);
     this.rebuild();
+    this.onRestyle();
   };
 
   /** The wheel zooms only while the view has the focus, so that a long page can be scrolled. */
@@ -133,7 +153,7 @@ export class MeshView {
 
   select(element: Element | null): void {
     this.selected = element;
-    this.rebuild();
+    this.rebuildOverlay();
   }
 
   setOption(name: keyof ViewOptions, value: boolean): void {
@@ -242,69 +262,76 @@ export class MeshView {
     this.canvas.addEventListener('pointerdown', (event) => (down = [event.clientX, event.clientY]));
     this.canvas.addEventListener('pointerup', (event) => {
       if (Math.hypot(event.clientX - down[0]!, event.clientY - down[1]!) > 4) return;
-      const box = this.canvas.getBoundingClientRect();
-      const point = new THREE.Vector2(
-        (2 * (event.clientX - box.left)) / box.width - 1,
-        1 - (2 * (event.clientY - box.top)) / box.height,
-      );
-      const ray = new THREE.Raycaster();
-      ray.setFromCamera(point, this.camera);
-      if (this.mesh && this.surface) this.onPick(pick(this.mesh, this.surface, ray.ray));
+      const ray = rayAt(event, this.canvas, this.camera);
+      if (this.mesh && this.surface) this.onPick(pick(this.mesh, this.surface, ray));
+    });
+    this.canvas.addEventListener('pointermove', (event) => {
+      if (!this.onSurface || !this.surface || event.buttons !== 0) return;
+      this.onSurface(hitSurface(this.surface, rayAt(event, this.canvas, this.camera)));
     });
   }
 
-  private clear(): void {
-    this.content.traverse((object) => {
-      if (!(object instanceof THREE.Mesh || object instanceof THREE.LineSegments)) return;
-      object.geometry.dispose();
-      for (const material of [object.material].flat()) (material as THREE.Material).dispose();
-    });
-    this.content.clear();
+  /** Points that can be dragged in this view. */
+  addHandles(): Handles {
+    const handles = new Handles({ canvas: this.canvas, camera: this.camera, draw: () => this.draw() });
+    this.scene.add(handles.group);
+    return handles;
+  }
+
+  palette(): Palette {
+    return this.colors;
   }
 
   private rebuild(): void {
     if (!this.mesh || !this.surface) return;
-    this.clear();
-    this.labels = [];
+    clear(this.content);
+    this.holeLabels = [];
     this.scene.background = new THREE.Color(this.colors.ground);
-    if (!this.options.wireframe) this.addSurface(this.surface);
-    if (this.options.edges) this.addLines(linesOf(this.mesh), this.colors.line);
-    for (const { points, color } of this.lines) this.addLines(points, this.colors[color]);
+    const corners = new THREE.BufferAttribute(this.surface.positions, 3);
+    if (!this.options.wireframe) this.addSurface(this.surface, corners);
+    if (this.options.edges) this.addLines(corners, this.colors.line, linesOf(this.mesh));
+    for (const { points, color } of this.lines) {
+      this.addLines(new THREE.BufferAttribute(points, 3), this.colors[color]);
+    }
     if (this.options.arrows) this.addArrows();
+    this.addNormalLines();
+    this.rebuildOverlay();
+  }
+
+  private rebuildOverlay(): void {
+    if (!this.mesh) return;
+    clear(this.overlay);
+    this.labels = [...this.holeLabels];
     this.addSelection();
     this.addArcs();
-    this.addNormalLines();
     this.addLabels();
     this.draw();
   }
 
-  private addSurface(surface: Surface): void {
+  private addSurface(surface: Surface, positions: THREE.BufferAttribute): void {
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(surface.positions, 3));
+    geometry.setAttribute('position', positions);
+    geometry.setIndex(new THREE.BufferAttribute(surface.corners, 1));
     const smooth = this.options.smooth && this.normals !== null;
-    if (smooth) {
-      const normals = new Float32Array(surface.positions.length);
-      surface.corners.forEach((v, i) => {
-        for (let axis = 0; axis < 3; ++axis) normals[3 * i + axis] = this.normals![3 * v + axis]!;
-      });
-      geometry.setAttribute('normal', new THREE.BufferAttribute(normals, 3));
-    } else {
-      geometry.computeVertexNormals();
-    }
-    for (const [side, color] of [
-      [THREE.FrontSide, this.colors.front],
-      [THREE.BackSide, this.colors.back],
-    ] as const) {
-      const material = new THREE.MeshLambertMaterial({
-        color, side, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2,
-      });
-      this.content.add(new THREE.Mesh(geometry, material));
-    }
+    if (smooth) geometry.setAttribute('normal', new THREE.BufferAttribute(this.normals!, 3));
+    const material = new THREE.MeshLambertMaterial({
+      color: this.colors.front, side: THREE.DoubleSide, flatShading: !smooth,
+      polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2,
+    });
+    const back = new THREE.Color(this.colors.back);
+    material.onBeforeCompile = (shader) => {
+      shader.uniforms['backColor'] = { value: back };
+      shader.fragmentShader = `uniform vec3 backColor;\n${shader.fragmentShader}`.replace(
+        'vec4( diffuse, opacity )', 'vec4( gl_FrontFacing ? diffuse : backColor, opacity )');
+    };
+    this.content.add(new THREE.Mesh(geometry, material));
   }
 
-  private addLines(points: Float32Array, color: string): void {
+  /** Lines between each two points, or between those that `ends` numbers. */
+  private addLines(points: THREE.BufferAttribute, color: string, ends: Uint32Array | null = null): void {
     const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
+    geometry.setAttribute('position', points);
+    if (ends) geometry.setIndex(new THREE.BufferAttribute(ends, 1));
     const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color }));
     lines.userData['detail'] = true;
     this.content.add(lines);
@@ -318,9 +345,9 @@ export class MeshView {
       const own = walk.halfedges.filter((h) => sameElement(this.mesh!.face(h), walk.face));
       own.forEach((h) => rim.add(h));
       const plane = this.maker!.plane(walk.face);
-      if (!plane || this.labels.length >= MOST_CALLOUTS) continue;
+      if (!plane || this.holeLabels.length >= MOST_CALLOUTS) continue;
       const text = `${nameOf(walk.face)} is open`;
-      this.labels.push({ text, at: plane.centre, normal: [0, 0, 0], style: 'wrong' });
+      this.holeLabels.push({ text, at: plane.centre, normal: [0, 0, 0], style: 'wrong' });
     }
     return rim;
   }
@@ -348,13 +375,7 @@ export class MeshView {
   }
 
   private addTriangles(points: Vec[], color: string, onTop = false): void {
-    if (points.length === 0) return;
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute('position', new THREE.BufferAttribute(Float32Array.from(points.flat()), 3));
-    const material = new THREE.MeshBasicMaterial({ color, side: THREE.DoubleSide, depthTest: !onTop });
-    const object = new THREE.Mesh(geometry, material);
-    object.renderOrder = onTop ? 2 : 1;
-    this.content.add(object);
+    if (points.length > 0) (onTop ? this.overlay : this.content).add(flatTriangles(points, color, onTop));
   }
 
   /** The selected element, with the next and the twin of a half-edge. */
@@ -372,37 +393,18 @@ export class MeshView {
       this.addTriangles(this.arrowOf(mesh.next(element.index), 1.6), next, true);
       this.addTriangles(this.arrowOf(element.index, 1.9), selected, true);
     } else if (element.kind === 'v') {
-      this.addBall(mesh.position(element.index), this.ball.radius * 0.03, selected);
+      this.overlay.add(ball(mesh.position(element.index), this.ball.radius * 0.03, selected));
     } else if (element.kind === 'e') {
       const h = mesh.halfedge(element);
       const [a, b] = [mesh.vertex(h), mesh.end(h)];
-      if (a >= 0 && b >= 0) this.addTube([mesh.position(a), mesh.position(b)], selected, 0.009);
+      if (a >= 0 && b >= 0) {
+        this.overlay.add(tube([mesh.position(a), mesh.position(b)], 0.009 * this.ball.radius, selected));
+      }
     } else {
       for (const h of mesh.walk(element).halfedges) {
         this.addTriangles(this.arrowOf(h, 1.6), selected, true);
       }
     }
-  }
-
-  private addBall(at: Vec, radius: number, color: string): void {
-    const object = new THREE.Mesh(
-      new THREE.SphereGeometry(radius, 20, 14),
-      new THREE.MeshBasicMaterial({ color, depthTest: false }),
-    );
-    object.position.set(...at);
-    object.renderOrder = 3;
-    this.content.add(object);
-  }
-
-  private addTube(points: Vec[], color: string, thick: number): void {
-    const curve = new THREE.CatmullRomCurve3(points.map((p) => new THREE.Vector3(...p)));
-    const radius = thick * this.ball.radius;
-    const object = new THREE.Mesh(
-      new THREE.TubeGeometry(curve, points.length > 2 ? 32 : 1, radius, 8),
-      new THREE.MeshBasicMaterial({ color, depthTest: false }),
-    );
-    object.renderOrder = 3;
-    this.content.add(object);
   }
 
   /** A wrong pointer is an arc from its element to where it really leads. */
@@ -429,16 +431,10 @@ export class MeshView {
       const t = i / 12;
       points.push(add(mix(from, to, t), scale(lift, 4 * t * (1 - t))));
     }
-    this.addTube(points, this.colors.wrong, 0.008);
-    const tip = new THREE.Mesh(
-      new THREE.ConeGeometry(0.03 * this.ball.radius, 0.09 * this.ball.radius, 14),
-      new THREE.MeshBasicMaterial({ color: this.colors.wrong, depthTest: false }),
-    );
-    const direction = new THREE.Vector3(...unit(sub(to, points[11]!)));
-    tip.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
-    tip.position.set(...sub(to, scale(direction.toArray() as Vec, 0.04 * this.ball.radius)));
-    tip.renderOrder = 4;
-    this.content.add(tip);
+    const { radius } = this.ball;
+    const direction = unit(sub(to, points[11]!));
+    this.overlay.add(tube(points, 0.008 * radius, this.colors.wrong),
+      tip(sub(to, scale(direction, 0.04 * radius)), direction, 0.03 * radius, this.colors.wrong));
     return points[6]!;
   }
 
@@ -452,7 +448,7 @@ export class MeshView {
       if (!normal.every(Number.isFinite)) continue;
       points.push(...at, ...add(at, scale(normal, 0.15 * this.ball.radius)));
     }
-    this.addLines(Float32Array.from(points), this.colors.twin);
+    this.addLines(new THREE.BufferAttribute(Float32Array.from(points), 3), this.colors.twin);
   }
 
   private addLabels(): void {
