@@ -4,14 +4,15 @@ import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { nameOf, sameElement, type Element, type Mesh } from '../model/mesh';
 import { palette, type Palette } from './colors';
+import { idLabels } from './id_labels';
 import { drawLabels, type Label } from './labels';
 import { Handles, rayAt } from './handles';
 import { hitSurface, pick, type SurfaceHit } from './picking';
 import { ball, flatTriangles, tip, tube } from './solids';
 import { softwareRendered } from './webgl';
 import {
-  ArrowMaker, add, arrowTriangles, ballOf, dot, length, linesOf, mix, placeOf, scale, sub,
-  surfaceOf, unit, type Surface, type Vec,
+  ArrowMaker, add, arrowTriangles, ballOf, length, linesOf, mix, placeOf, scale, sub,
+  surfaceOf, unit, usualEdge, type Surface, type Vec,
 } from './shapes';
 
 /** A pointer that is wrong, or one that it should be. */
@@ -40,8 +41,8 @@ export interface ViewOptions {
 /** More arcs and callouts than this hide the mesh; the lists beside it name all. */
 const MOST_CALLOUTS = 8;
 const MOST_ARROWS = 3000;
-const MOST_LABELS = 400;
 const HEAVY_TRIANGLES = 20000;
+const LEAST_EDGE_PIXELS = 5;
 
 function clear(group: THREE.Group): void {
   group.traverse((object) => {
@@ -86,6 +87,7 @@ export class MeshView {
   private labels: Label[] = [];
   private holeLabels: Label[] = [];
   private ball = { centre: [0, 0, 0] as Vec, radius: 1 };
+  private edgeLength = 0;
   private frame = 0;
   private dragging = false;
 
@@ -146,6 +148,7 @@ export class MeshView {
     this.maker = new ArrowMaker(mesh);
     this.surface = surfaceOf(mesh);
     this.ball = ballOf(mesh);
+    this.edgeLength = usualEdge(this.surface);
     if (this.selected && !mesh.isLive(this.selected)) this.selected = null;
     if (fit) this.reset();
     this.rebuild();
@@ -237,19 +240,37 @@ export class MeshView {
 
   private drag(on: boolean): void {
     this.dragging = on;
-    const heavy = this.software && (this.surface?.faces.length ?? 0) > HEAVY_TRIANGLES;
-    if (heavy) {
-      this.renderer.setPixelRatio(on ? 0.5 : 1);
-      for (const child of this.content.children) {
-        if (child.userData['detail']) child.visible = !on;
-      }
-    }
+    if (this.software && this.isHeavy()) this.renderer.setPixelRatio(on ? 0.5 : 1);
     this.draw();
+  }
+
+  private isHeavy(): boolean {
+    return (this.surface?.faces.length ?? 0) > HEAVY_TRIANGLES;
+  }
+
+  /** The lines of a large mesh are left out where they would hide it, and while it is turned. */
+  private showDetail(): void {
+    const plain = !this.isHeavy() || this.options.wireframe;
+    const still = !(this.dragging && this.software);
+    const wide = this.edgePixels() >= LEAST_EDGE_PIXELS;
+    for (const child of this.content.children) {
+      const { detail, edges } = child.userData;
+      if (detail) child.visible = plain || (still && (!edges || wide));
+    }
+  }
+
+  /** The length of a usual edge in the part of the mesh that is near. */
+  private edgePixels(): number {
+    const { centre, radius } = this.ball;
+    const far = Math.max(this.camera.near, length(sub(this.camera.position.toArray(), centre)) - 0.5 * radius);
+    const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    return (this.edgeLength / (2 * far * half)) * this.host.clientHeight;
   }
 
   draw(): void {
     cancelAnimationFrame(this.frame);
     this.frame = requestAnimationFrame(() => {
+      this.showDetail();
       this.renderer.render(this.scene, this.camera);
       this.camera.updateMatrixWorld();
       drawLabels(this.labelCanvas, this.dragging && this.labels.length > 200 ? [] : this.labels,
@@ -304,7 +325,7 @@ export class MeshView {
     this.labels = [...this.holeLabels];
     this.addSelection();
     this.addArcs();
-    this.addLabels();
+    if (this.options.ids) this.labels.unshift(...idLabels(this.mesh, this.maker!, this.selected, this.ball.centre));
     this.draw();
   }
 
@@ -333,7 +354,7 @@ export class MeshView {
     geometry.setAttribute('position', points);
     if (ends) geometry.setIndex(new THREE.BufferAttribute(ends, 1));
     const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color }));
-    lines.userData['detail'] = true;
+    lines.userData = { detail: true, edges: ends !== null };
     this.content.add(lines);
   }
 
@@ -449,31 +470,5 @@ export class MeshView {
       points.push(...at, ...add(at, scale(normal, 0.15 * this.ball.radius)));
     }
     this.addLines(new THREE.BufferAttribute(Float32Array.from(points), 3), this.colors.twin);
-  }
-
-  private addLabels(): void {
-    const mesh = this.mesh!;
-    if (!this.options.ids || mesh.halfedgeCount > MOST_LABELS) return;
-    // The back of a surface with a boundary can be seen, so nothing of it is hidden.
-    const open = mesh.countLive('b') > 0;
-    const ids: Label[] = [];
-    for (const kind of ['f', 'h', 'v'] as const) {
-      for (let index = 0; index < mesh.size(kind); ++index) {
-        const element: Element = { kind, index };
-        if (!mesh.isLive(element) || sameElement(element, this.selected)) continue;
-        const place = placeOf(mesh, this.maker!, element);
-        if (!place) continue;
-        const normal: Vec = open ? [0, 0, 0] : kind === 'v' ? this.outward(place.centre) : place.normal;
-        const style = kind === 'v' ? 'vertex' : kind === 'h' ? 'halfedge' : 'face';
-        ids.push({ text: nameOf(element), at: place.centre, normal, style });
-      }
-    }
-    this.labels.unshift(...ids);
-  }
-
-  /** Good enough to hide the labels of vertices on the far side. */
-  private outward(at: Vec): Vec {
-    const outward = sub(at, this.ball.centre);
-    return dot(outward, outward) > 0 ? outward : [0, 0, 0];
   }
 }

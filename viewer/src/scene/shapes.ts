@@ -54,6 +54,17 @@ export function surfaceOf(mesh: Mesh): Surface {
   return { positions, corners, faces, sides };
 }
 
+/** The median length of the sides of some triangles, spread over the surface. */
+export function usualEdge({ positions, corners, faces }: Surface): number {
+  const lengths: number[] = [];
+  const every = Math.max(1, Math.floor(faces.length / 200));
+  const corner = (k: number): Vec => [...positions.subarray(3 * corners[k]!, 3 * corners[k]! + 3)] as Vec;
+  for (let t = 0; t < faces.length; t += every) {
+    for (let k = 0; k < 3; ++k) lengths.push(length(sub(corner(3 * t + k), corner(3 * t + ((k + 1) % 3)))));
+  }
+  return lengths.sort((a, b) => a - b)[lengths.length >> 1] ?? 0;
+}
+
 /**
  * The two ends of every line between vertices that some half-edge runs along, as numbers of
  * vertices, once.

@@ -26,8 +26,12 @@ test('Each change of a curve is undone and done again, by keys alone', async () 
   await page.locator('.control').nth(3).focus();
   await page.keyboard.press('Delete');
   await keep();
-  const box = await page.locator('.control').nth(0).boundingBox();
-  await drag(page, [box.x + box.width / 2, box.y + box.height / 2], [60, -40]);
+  // In one go: the points are drawn anew with every answer.
+  const centre = await page.evaluate(() => {
+    const { left, top, width, height } = document.querySelector('.control').getBoundingClientRect();
+    return [left + width / 2, top + height / 2];
+  });
+  await drag(page, centre, [60, -40]);
   await keep();
   assert.equal(new Set(states.map(String)).size, states.length);
   for (let i = states.length - 2; i >= 0; --i) {
