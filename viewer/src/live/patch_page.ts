@@ -190,13 +190,12 @@ export class PatchPage {
     return { mesh: new Mesh(meshOfPolygons(positions, polygons)), lines };
   }
 
-  private isoLines(): { points: Float32Array; color: 'next' | 'twin' }[] {
-    if (!this.shown.iso || !this.isoAnswer) return [];
-    const line = (curve: (Point3 | null)[]): Float32Array => Float32Array.from(gridLines([curve], 1));
-    return [
-      { points: line(this.isoAnswer.along_u), color: 'next' },
-      { points: line(this.isoAnswer.along_v), color: 'twin' },
-    ];
+  private showCurves(view: MeshView): void {
+    view.curves = [];
+    if (!this.shown.iso || !this.isoAnswer) return;
+    const there = (curve: (Point3 | null)[]): Point3[] => curve.filter((p) => p !== null);
+    view.curves.push({ points: there(this.isoAnswer.along_u), color: 'next' },
+      { points: there(this.isoAnswer.along_v), color: 'twin' });
   }
 
   private draw(): void {
@@ -209,8 +208,8 @@ export class PatchPage {
     this.view.lines = [
       { points: Float32Array.from(lines), color: 'line' },
       { points: Float32Array.from(this.shown.net ? nets.flatMap((net) => gridLines(net, 1)) : []), color: 'selected' },
-      ...this.isoLines(),
     ];
+    this.showCurves(this.view);
     const there = mesh.faceCount > 0;
     this.view.show(mesh, { arcs: [], changed: new Set() }, this.fit && there);
     this.fit &&= !there;

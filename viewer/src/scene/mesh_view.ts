@@ -60,6 +60,8 @@ export class MeshView {
   };
   /** Further lines, as pairs of ends. */
   lines: { points: Float32Array; color: keyof Palette }[] = [];
+  /** Curves that are seen through the surface. */
+  curves: { points: Vec[]; color: keyof Palette }[] = [];
   onPick: (element: Element | null) => void = () => {};
   /** Where the pointer is on the surface while no button is down. */
   onSurface: ((hit: SurfaceHit | null) => void) | null = null;
@@ -325,6 +327,9 @@ export class MeshView {
     this.labels = [...this.holeLabels];
     this.addSelection();
     this.addArcs();
+    for (const { points, color } of this.curves) {
+      if (points.length > 1) this.overlay.add(tube(points, 0.006 * this.ball.radius, this.colors[color]));
+    }
     if (this.options.ids) this.labels.unshift(...idLabels(this.mesh, this.maker!, this.selected, this.ball.centre));
     this.draw();
   }

@@ -15,9 +15,11 @@ export function ball(at: Vec, radius: number, color: string): THREE.Mesh {
   return object;
 }
 
+/** A round line through points. */
 export function tube(points: Vec[], radius: number, color: string): THREE.Mesh {
   const curve = new THREE.CatmullRomCurve3(points.map((p) => new THREE.Vector3(...p)));
-  return marked(new THREE.TubeGeometry(curve, points.length > 2 ? 32 : 1, radius, 8), color, 3);
+  const pieces = points.length > 2 ? Math.max(32, points.length - 1) : 1;
+  return marked(new THREE.TubeGeometry(curve, pieces, radius, 8), color, 3);
 }
 
 /** The head of an arrow, around `middle`. */

@@ -24,6 +24,7 @@ const url = await new Promise((resolve, reject) => {
   child.stderr.on('data', (data) => (printed += data));
   child.on('exit', () => reject(new Error(printed)));
 });
+process.on('exit', () => child.kill('SIGINT'));
 const browser = await openBrowser({ viewport: { width: 1280, height: 800 } });
 const page = await browser.context.newPage();
 page.setDefaultTimeout(600_000);
@@ -89,8 +90,6 @@ for (let i = 0; i < 5; ++i) {
   }));
 }
 tell('a click that selects (of 5)', median(picks));
-const edge = await page.evaluate(() => document.querySelector('.stage canvas').ariaLabel);
-console.log(edge);
 await page.fill('.finder input', 'e1000');
 await page.keyboard.press('Enter');
 await page.evaluate(() => document.activeElement.blur());
