@@ -1,7 +1,7 @@
 // A Bezier curve: its control points, and the levels of de Casteljau's algorithm as the
 // student's function gives them.
 
-import { button, el, keyButton, replace } from '../dom';
+import { button, el, followPointer, keyButton, replace } from '../dom';
 import { saveFile } from '../model/export';
 import { History } from '../model/history';
 import type { Connection, CurveAnswer, Point2 } from './connection';
@@ -222,21 +222,11 @@ export class CurvePage {
     event.preventDefault();
     this.chosen = i;
     const svg = this.picture as unknown as SVGSVGElement;
-    let kept = false;
-    const moved = (now: PointerEvent): void => {
-      if (!kept) this.keep();
-      kept = true;
+    followPointer((now, first) => {
+      if (first) this.keep();
       const at = new DOMPoint(now.clientX, now.clientY).matrixTransform(svg.getScreenCTM()!.inverse());
       this.move(i, [at.x / this.scale + this.low[0], (HEIGHT - at.y) / this.scale + this.low[1]]);
-    };
-    const done = (): void => {
-      window.removeEventListener('pointermove', moved);
-      window.removeEventListener('pointerup', done);
-      window.removeEventListener('pointercancel', done);
-    };
-    window.addEventListener('pointermove', moved);
-    window.addEventListener('pointerup', done);
-    window.addEventListener('pointercancel', done);
+    });
   }
 
   private describe(answer: CurveAnswer): void {

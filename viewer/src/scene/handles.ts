@@ -1,6 +1,7 @@
 // Points in the 3D view that can be dragged: in the plane through them that faces the camera.
 
 import * as THREE from 'three';
+import { followPointer } from '../dom';
 import type { Vec } from './shapes';
 
 /** What handles need of the view that they are in. */
@@ -111,22 +112,14 @@ export class Handles {
     const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(normal, new THREE.Vector3(...this.points[i]!));
     this.onChoose(i);
     canvas.focus();
-    let moved = false;
-    const move = (now: PointerEvent): void => {
+    let grabbed = false;
+    followPointer((now) => {
       const to = rayAt(now, canvas, camera).intersectPlane(plane, new THREE.Vector3());
       if (!to) return;
-      if (!moved) this.onGrab();
-      moved = true;
+      if (!grabbed) this.onGrab();
+      grabbed = true;
       this.onMove(i, to.toArray());
-    };
-    const done = (): void => {
-      window.removeEventListener('pointermove', move);
-      window.removeEventListener('pointerup', done);
-      window.removeEventListener('pointercancel', done);
-    };
-    window.addEventListener('pointermove', move);
-    window.addEventListener('pointerup', done);
-    window.addEventListener('pointercancel', done);
+    });
   }
 }
 

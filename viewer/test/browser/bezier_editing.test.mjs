@@ -1,7 +1,7 @@
 // Curves and surfaces are edited by pointer and by keys, and every change can be undone.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Viewer, accessibilityProblems, homework, snap } from './harness.mjs';
+import { Viewer, accessibilityProblems, homework, savedFile, snap } from './harness.mjs';
 
 const labels = (page) => page.locator('.control').evaluateAll((all) => all.map((c) => c.ariaLabel));
 
@@ -67,13 +67,7 @@ test('A change after an undo forgets what was undone', async () => {
 const status = (page) => page.locator('.side > .status').textContent();
 
 /** What would be saved: the control points as numbers. */
-async function savedNet(page) {
-  const [download] = await Promise.all([page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Save .bez' }).click()]);
-  const chunks = [];
-  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
-  return Buffer.concat(chunks).toString();
-}
+const savedNet = (page) => savedFile(page, 'Save .bez');
 
 test('A control point of a net moves by keys, with undo and redo', async () => {
   const viewer = await Viewer.start(homework('net keys'), 'wavy.bez');

@@ -73,6 +73,15 @@ export async function snap(page, name) {
   if (pictures) await page.screenshot({ path: join(pictures, `${name}.png`) });
 }
 
+/** The text of the file that a button saves. */
+export async function savedFile(page, button) {
+  const [download] = await Promise.all([page.waitForEvent('download'),
+    page.getByRole('button', { name: button }).click()]);
+  const chunks = [];
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+  return Buffer.concat(chunks).toString();
+}
+
 export class Viewer {
   static async start(folder, mesh = 'cube.obj') {
     const viewer = new Viewer();

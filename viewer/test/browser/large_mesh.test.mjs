@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { Viewer, homework, scratch } from './harness.mjs';
+import { Viewer, homework, savedFile, scratch } from './harness.mjs';
 import { torusObj } from './made_meshes.mjs';
 
 function torusFile(side) {
@@ -13,13 +13,7 @@ function torusFile(side) {
 }
 
 /** What the page saves as OBJ: its own idea of the mesh. */
-async function savedObj(page) {
-  const [download] = await Promise.all([page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Save OBJ' }).click()]);
-  const chunks = [];
-  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
-  return Buffer.concat(chunks).toString();
-}
+const savedObj = (page) => savedFile(page, 'Save OBJ');
 
 /** The types of the answers that hold a mesh, as they come. */
 function watchTypes(page) {
