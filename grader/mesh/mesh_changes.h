@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,10 @@ struct PointerChange {
 
 /// Every pointer that an operation changed: half-edges, vertices, edges, faces, boundary loops,
 /// each by number. Elements are told by their numbers, which they keep for life.
-std::vector<PointerChange> find_changes(const MeshDump& before, const MeshDump& after);
+///
+/// @param most  where to stop
+std::vector<PointerChange> find_changes(
+    const MeshDump& before, const MeshDump& after,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace meshgrade

@@ -79,6 +79,33 @@ Json curve_of(const std::vector<Outcome>& outcomes, std::size_t steps) {
   return curve;
 }
 
+/// The control net of a request, with nothing asked of it yet.
+PatchInput surface_input(const Json& request) {
+  PatchInput input;
+  input.function = PatchFunction::kSurface;
+  input.net = request.at("net").get<std::vector<std::vector<Point3>>>();
+  if (input.net.size() < 2 || input.net.size() > kMostPoints) {
+    throw UserError("a net has 2 to 40 rows here");
+  }
+  for (const std::vector<Point3>& row : input.net) {
+    if (row.size() != input.net[0].size() || row.size() < 2 || row.size() > kMostPoints) {
+      throw UserError("the rows of a net have the same 2 to 40 points each");
+    }
+    require_finite(row);
+  }
+  return input;
+}
+
+/// What evaluate gave from one step to before another, null where it gave nothing.
+Json surface_points(const Outcome& outcome, std::size_t from, std::size_t to) {
+  Json list = Json::array();
+  for (std::size_t i = from; i < std::min(to, outcome.steps.size()); ++i) {
+    const auto points = from_wire<std::vector<Point3>>(outcome.steps[i]);
+    list.push_back(points.size() == 1 ? Json(points[0]) : Json(nullptr));
+  }
+  return list;
+}
+
 }  // namespace
 
 Json view_curve(const StudentProgram& program, const Json& request) {
@@ -88,6 +115,7 @@ Json view_curve(const StudentProgram& program, const Json& request) {
     throw UserError("a curve has 2 to 40 control points here");
   }
   require_finite(points);
+  if (!(t >= 0.0 && t <= 1.0)) throw UserError("t goes from 0 to 1");
   std::vector<Case> cases{case_of("bezier_curve", curve_input(points, t))};
   Json exact = Json::array();
   for (int i = 0; i <= kCurveSamples; ++i) {
@@ -105,19 +133,12 @@ Json view_curve(const StudentProgram& program, const Json& request) {
 }
 
 Json view_patch(const StudentProgram& program, const Json& request) {
-  PatchInput input;
-  input.function = PatchFunction::kSurface;
-  input.net = request.at("net").get<std::vector<std::vector<Point3>>>();
-  const int density = std::clamp(request.at("density").get<int>(), 1, kMostDensity);
-  if (input.net.size() < 2 || input.net.size() > kMostPoints) {
-    throw UserError("a net has 2 to 40 rows here");
+  PatchInput input = surface_input(request);
+  const auto asked_density = request.at("density").get<double>();
+  if (!(asked_density >= 1 && asked_density <= kMostDensity)) {
+    throw UserError("a surface is sampled 1 to 64 times along each side");
   }
-  for (const std::vector<Point3>& row : input.net) {
-    if (row.size() != input.net[0].size() || row.size() < 2 || row.size() > kMostPoints) {
-      throw UserError("the rows of a net have the same 2 to 40 points each");
-    }
-    require_finite(row);
-  }
+  const int density = static_cast<int>(asked_density);
   for (int j = 0; j <= density; ++j) {
     for (int i = 0; i <= density; ++i) {
       input.parameters.push_back(
@@ -126,12 +147,23 @@ Json view_patch(const StudentProgram& program, const Json& request) {
   }
   const Case asked = case_of("bezier_patch", input);
   const Outcome outcome = program.run({asked}).at(0);
-  Json grid = Json::array();
-  for (const std::string& step : outcome.steps) {
-    const auto points = from_wire<std::vector<Point3>>(step);
-    grid.push_back(points.size() == 1 ? Json(points[0]) : Json(nullptr));
-  }
-  return {{"told", tell(program, asked, outcome)}, {"grid", std::move(grid)}};
+  return {{"told", tell(program, asked, outcome)},
+          {"grid", surface_points(outcome, 0, outcome.steps.size())}};
+}
+
+Json view_isocurves(const StudentProgram& program, const Json& request) {
+  PatchInput input = surface_input(request);
+  const auto u = request.at("u").get<double>();
+  const auto v = request.at("v").get<double>();
+  if (!(u >= 0 && u <= 1 && v >= 0 && v <= 1)) throw UserError("u and v go from 0 to 1");
+  for (int i = 0; i <= kCurveSamples; ++i)
+    input.parameters.push_back({static_cast<double>(i) / kCurveSamples, v});
+  for (int i = 0; i <= kCurveSamples; ++i)
+    input.parameters.push_back({u, static_cast<double>(i) / kCurveSamples});
+  const Case asked = case_of("bezier_patch", input);
+  const Outcome outcome = program.run({asked}).at(0);
+  return {{"along_u", surface_points(outcome, 0, kCurveSamples + 1)},
+          {"along_v", surface_points(outcome, kCurveSamples + 1, 2 * (kCurveSamples + 1))}};
 }
 
 }  // namespace meshgrade

@@ -21,4 +21,11 @@ nlohmann::ordered_json view_curve(const StudentProgram& program,
 nlohmann::ordered_json view_patch(const StudentProgram& program,
                                   const nlohmann::ordered_json& request);
 
+/// Two curves on the student's surface: from `net`, `u` and `v`, `along_u` at this v and
+/// `along_v` at this u, each of evenly spaced points by the student's evaluate, as many as it
+/// came to.
+/// @throws UserError if there is no such net or point of it
+nlohmann::ordered_json view_isocurves(const StudentProgram& program,
+                                      const nlohmann::ordered_json& request);
+
 }  // namespace meshgrade

@@ -82,11 +82,14 @@ void MeshSession::extend(const std::vector<ViewOperation>& operations) {
   if (operations.empty()) return;
   std::vector<ViewOperation> all = operations_;
   all.insert(all.end(), operations.begin(), operations.end());
-  const Outcome outcome = run(all, operations_.size(), false);
+  const std::size_t done_before = operations_.size();
+  const Outcome outcome = run(all, done_before, false);
   try {
     take_steps(operations, outcome);
   } catch (const WireError& error) {
-    StoppedStep stop{operations.at(0), {}, std::nullopt};
+    position_ = operations_.size();
+    const std::size_t taken = std::min(position_ - done_before, operations.size() - 1);
+    StoppedStep stop{operations[taken], {}, std::nullopt};
     CaseJudgement judgement;
     judgement.verdict = Verdict::kCrashed;
     judgement.note = std::string("what it left behind cannot be read: ") + error.what() +

@@ -11,6 +11,10 @@ namespace meshgrade {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using WriteMesh = std::function<Json(const MeshDump&)>;
+
+/// Nobody reads a longer list, and that of a large subdivision has millions.
+constexpr std::size_t kMostChanges = 20'000;
 
 Json build_value(const StudentProgram& program) {
   Json files = Json::array();
@@ -46,21 +50,34 @@ Json timeline_value(const MeshSession& session) {
   return steps;
 }
 
-}  // namespace
+Json changes_value(const MeshDump& before, const MeshDump& after) {
+  return to_json_value(find_changes(before, after, kMostChanges));
+}
 
-Json state_value(const MeshSession& session, std::size_t position) {
+Json whole_mesh(const MeshDump& mesh) {
+  return to_json_value(mesh);
+}
+
+Json state_value(const MeshSession& session, std::size_t position,
+                 const WriteMesh& write_mesh) {
   const ViewState& state = session.states()[position];
-  Json value{{"mesh", to_json_value(state.mesh)},
+  Json value{{"mesh", write_mesh(state.mesh)},
              {"broken", to_json_value(find_broken_rules(state.mesh))}};
   if (position == 0) return value;
   const MeshDump& before = session.states()[position - 1].mesh;
   value["step"] = operation_text(session.operations()[position - 1]);
   value["told"] = to_json_value(state.told);
-  value["before"] = to_json_value(before);
-  value["changes"] = to_json_value(find_changes(before, state.mesh));
-  if (!state.told.scene.empty()) value["expected"] = to_json_value(state.told.scene.expected);
+  value["before"] = write_mesh(before);
+  value["changes"] = changes_value(before, state.mesh);
+  if (!state.told.scene.empty()) value["expected"] = write_mesh(state.told.scene.expected);
   if (!state.deviation.empty()) value["deviation"] = to_json_value(state.deviation);
   return value;
+}
+
+}  // namespace
+
+Json state_value(const MeshSession& session, std::size_t position) {
+  return state_value(session, position, whole_mesh);
 }
 
 Json levels_value(const MeshSession& session) {
@@ -72,20 +89,23 @@ Json levels_value(const MeshSession& session) {
 }
 
 Json to_json_value(const MeshSession& session) {
+  return to_json_value(session, whole_mesh);
+}
+
+Json to_json_value(const MeshSession& session, const WriteMesh& write_mesh) {
   Json value{{"submission", session.program().name()},
              {"mesh", session.name()},
              {"build", build_value(session.program())},
              {"timeline", timeline_value(session)},
              {"position", session.position()},
-             {"state", state_value(session, session.position())}};
+             {"state", state_value(session, session.position(), write_mesh)}};
   if (session.stopped()) {
     const StoppedStep& stop = *session.stopped();
     Json stopped{{"step", operation_text(stop.operation)}, {"told", to_json_value(stop.told)}};
     if (stop.mesh) {
-      stopped["mesh"] = to_json_value(*stop.mesh);
+      stopped["mesh"] = write_mesh(*stop.mesh);
       stopped["broken"] = to_json_value(find_broken_rules(*stop.mesh));
-      stopped["changes"] =
-          to_json_value(find_changes(session.states()[session.position()].mesh, *stop.mesh));
+      stopped["changes"] = changes_value(session.states()[session.position()].mesh, *stop.mesh);
     }
     value["stopped"] = std::move(stopped);
   }

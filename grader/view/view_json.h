@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 
 #include "grader/view/mesh_session.h"
@@ -10,6 +11,11 @@ namespace meshgrade {
 /// `state` that is looked at with the mesh `before` and, if it is wrong, `expected`, and what
 /// `stopped`. docs/viewer.md explains the keys.
 nlohmann::ordered_json to_json_value(const MeshSession& session);
+
+/// The same, with meshes as `write_mesh` gives them.
+nlohmann::ordered_json to_json_value(
+    const MeshSession& session,
+    const std::function<nlohmann::ordered_json(const MeshDump&)>& write_mesh);
 
 /// The state after so many operations, as in `state`.
 nlohmann::ordered_json state_value(const MeshSession& session, std::size_t position);

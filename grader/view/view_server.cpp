@@ -14,6 +14,7 @@
 #include "grader/files/mesh_file.h"
 #include "grader/report/html_report.h"
 #include "grader/view/bezier_view.h"
+#include "grader/view/page_answer.h"
 #include "grader/view/view_json.h"
 
 namespace meshgrade {
@@ -24,6 +25,12 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostUploaded = 64U << 20U;
 constexpr std::size_t kMostConnections = 32;
 constexpr auto kHeartbeat = std::chrono::seconds(5);
+
+/// A request that this page would not send.
+class BadRequest : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 std::string random_token() {
   unsigned char bytes[16];
@@ -47,10 +54,19 @@ bool same_token(const std::string& a, const std::string& b) {
   return difference == 0;
 }
 
+/// A number that stands for an element or a step: nothing else is turned into one.
+std::uint32_t whole_number(const Json& request, const char* key) {
+  const Json& value = request.at(key);
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > kUnsetRef) {
+    throw BadRequest(std::string(key) + " must be a whole number");
+  }
+  return value.get<std::uint32_t>();
+}
+
 ViewOperation operation_of(const Json& request) {
   const std::string kind = request.at("kind");
   if (kind == "subdivide") return {ViewKind::kSubdivide, kUnsetRef};
-  const Ref edge = request.at("edge");
+  const Ref edge = whole_number(request, "edge");
   if (kind == "flip") return {ViewKind::kFlip, edge};
   if (kind == "split") return {ViewKind::kSplit, edge};
   throw UserError("there is no operation " + kind);
@@ -59,13 +75,19 @@ ViewOperation operation_of(const Json& request) {
 /// A mesh that the page has sent, read like any file of its name.
 PolygonMesh read_sent(const std::string& name, const std::string& bytes) {
   const ScratchFolder folder;
-  const std::string extension = std::filesystem::path(name).extension().string();
-  if (extension.size() > 8 || extension.find('/') != std::string::npos) {
-    throw UserError(name + ": not a mesh file");
-  }
+  const std::filesystem::path own = std::filesystem::path(name).filename();
+  const std::string extension = own.extension().string();
+  if (extension.empty() || extension.size() > 8) throw UserError(name + ": not a mesh file");
   const std::filesystem::path file = folder.path() / ("mesh" + extension);
   std::ofstream(file, std::ios::binary) << bytes;
-  return read_mesh(file).mesh;
+  try {
+    return read_mesh(file).mesh;
+  } catch (const UserError& error) {
+    // The user's name for it, not ours.
+    const std::string what = error.what();
+    const std::string path = file.string();
+    throw UserError(what.rfind(path, 0) == 0 ? own.string() + what.substr(path.size()) : what);
+  }
 }
 
 }  // namespace
@@ -167,12 +189,12 @@ class ViewServer::Impl {
       session.apply(operation_of(request));
     });
     add_action("/go", [](MeshSession& session, const Json& request) {
-      session.go_to(request.at("position"));
+      session.go_to(whole_number(request, "position"));
     });
-    add_action("/open", [](MeshSession& session, const Json& request) {
-      const std::string name = request.at("name");
-      const auto bytes = request.at("bytes").get<std::vector<std::uint8_t>>();
-      session.open(name, read_sent(name, {bytes.begin(), bytes.end()}));
+    add_post("/open", [this](const httplib::Request& request) {
+      const std::string name = request.get_param_value("name");
+      session_.open(name, read_sent(name, request.body));
+      return answer_for_page(session_);
     });
     add_question("/normals", [this](const Json&) {
       return to_json_value(session_.normals(), session_.states()[session_.position()].mesh);
@@ -180,6 +202,7 @@ class ViewServer::Impl {
     add_question("/levels", [this](const Json&) { return levels_value(session_); });
     add_bezier("/curve", view_curve);
     add_bezier("/patch", view_patch);
+    add_bezier("/isocurves", view_isocurves);
     server_.Get("/events", [this](const httplib::Request&, httplib::Response& response) {
       response.set_chunked_content_provider(
           "text/event-stream",
@@ -192,9 +215,9 @@ class ViewServer::Impl {
   /// Changes the session, or not, and answers with what is to be shown now.
   void add_action(const std::string& path,
                   const std::function<void(MeshSession&, const Json&)>& action) {
-    add_question(path, [this, action](const Json& request) {
-      action(session_, request);
-      return to_json_value(session_);
+    add_post(path, [this, action](const httplib::Request& request) {
+      action(session_, json_of(request));
+      return answer_for_page(session_);
     });
   }
 
@@ -204,29 +227,43 @@ class ViewServer::Impl {
   }
 
   void add_question(const std::string& path, const std::function<Json(const Json&)>& question) {
-    server_.Post(
-        path, [this, question](const httplib::Request& request, httplib::Response& response) {
-          const std::lock_guard<std::mutex> lock(session_mutex_);
-          try {
-            answer(response,
-                   question(request.body.empty() ? Json::object() : Json::parse(request.body)));
-          } catch (const WireError& error) {
-            response.status = 422;
-            answer(response, {{"error", std::string("the program's answer cannot be read: ") +
-                                            error.what()}});
-          } catch (const UserError& error) {
-            response.status = 422;
-            answer(response, {{"error", error.what()}});
-          } catch (const Json::exception& error) {
-            response.status = 400;
-            answer(response, {{"error", error.what()}});
-          }
-        });
+    add_post(path, [question](const httplib::Request& request) {
+      return PageAnswer{text_of(question(json_of(request))), "application/json"};
+    });
   }
 
-  static void answer(httplib::Response& response, const Json& value) {
-    response.set_content(value.dump(-1, ' ', false, Json::error_handler_t::replace),
-                         "application/json");
+  static Json json_of(const httplib::Request& request) {
+    return request.body.empty() ? Json::object() : Json::parse(request.body);
+  }
+
+  void add_post(const std::string& path,
+                const std::function<PageAnswer(const httplib::Request&)>& handle) {
+    server_.Post(path,
+                 [this, handle](const httplib::Request& request, httplib::Response& response) {
+                   const std::lock_guard<std::mutex> lock(session_mutex_);
+                   try {
+                     const PageAnswer given = handle(request);
+                     response.set_content(given.body, given.type);
+                   } catch (const std::exception& error) {
+                     fail(response, error);
+                   }
+                 });
+  }
+
+  static void fail(httplib::Response& response, const std::exception& error) {
+    const bool unreadable = dynamic_cast<const WireError*>(&error) != nullptr;
+    const bool user = dynamic_cast<const UserError*>(&error) != nullptr;
+    const bool bad = dynamic_cast<const Json::exception*>(&error) != nullptr ||
+                     dynamic_cast<const BadRequest*>(&error) != nullptr;
+    response.status = unreadable || user ? 422 : bad ? 400 : 500;
+    const std::string what = error.what();
+    const Json told{
+        {"error", unreadable ? "the program's answer cannot be read: " + what : what}};
+    response.set_content(text_of(told), "application/json");
+  }
+
+  static std::string text_of(const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
 
   std::size_t version_now() {

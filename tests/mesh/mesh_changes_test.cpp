@@ -53,5 +53,21 @@ TEST(MeshChanges, NewElementsHaveNoOldAndDeletedOnesNoNewPointers) {
   EXPECT_EQ(changes[1].after, "");
 }
 
+TEST(MeshChanges, ListEndsWhereItIsTold) {
+  MeshDump after = small_mesh();
+  for (HalfedgeRecord& h : after.halfedges)
+    h.next = h.twin = h.face = kUnsetRef;
+  const std::vector<PointerChange> all = find_changes(small_mesh(), after);
+  ASSERT_GT(all.size(), 3U);
+  for (std::size_t most = 0; most <= all.size() + 1; ++most) {
+    const std::vector<PointerChange> some = find_changes(small_mesh(), after, most);
+    ASSERT_EQ(some.size(), std::min(most, all.size()));
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      EXPECT_EQ(some[i].element, all[i].element);
+      EXPECT_EQ(some[i].pointer, all[i].pointer);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace meshgrade

@@ -39,7 +39,7 @@ case $test in
   browser)
     cd "$workshop"
     MESHGRADE_PROGRAM=$program MESHGRADE_SOURCE=$source \
-      node --test --test-reporter=spec test/browser/flows.test.mjs
+      node --test --test-concurrency=1 --test-reporter=spec test/browser/*.test.mjs
     ;;
   *)
     echo "there is no test $test" >&2

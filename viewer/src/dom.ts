@@ -44,6 +44,28 @@ export function button(text: Child, onClick: () => void, props: Props = {}): HTM
   return el('button', { type: 'button', ...props, on: { click: onClick } }, text);
 }
 
+/** A button that says which key does the same. */
+export function keyButton(text: string, key: string, onClick: () => void, props: Props = {}): HTMLButtonElement {
+  const made = button(text, onClick, { 'aria-keyshortcuts': key, ...props });
+  made.append(' ', el('kbd', {}, key));
+  return made;
+}
+
+/** Calls back with every move of the pointer until its button is let go. */
+export function followPointer(move: (event: PointerEvent, first: boolean) => void): void {
+  let first = true;
+  const moved = (event: PointerEvent): void => {
+    move(event, first);
+    first = false;
+  };
+  const done = (): void => {
+    window.removeEventListener('pointermove', moved);
+    for (const end of ['pointerup', 'pointercancel']) window.removeEventListener(end, done);
+  };
+  window.addEventListener('pointermove', moved);
+  for (const end of ['pointerup', 'pointercancel']) window.addEventListener(end, done);
+}
+
 /** An SVG picture as nodes, without anything that could run or reach out. */
 export function picture(svgText: string): SVGElement | null {
   const parsed = new DOMParser().parseFromString(svgText, 'image/svg+xml');

@@ -1,6 +1,7 @@
 // Talks to the program that serves this page.
 
 import type { MeshJson } from '../model/mesh';
+import { unpackLive } from './unpack';
 import type { Case, PointerChange, RuleBreak, StateJson } from '../model/types';
 
 export interface LiveState {
@@ -34,6 +35,12 @@ export interface PatchAnswer {
   told: Case;
 }
 
+/** Curves on a surface, by the student's evaluate, as far as it came. */
+export interface IsocurvesAnswer {
+  along_u: (Point3 | null)[];
+  along_v: (Point3 | null)[];
+}
+
 export type StepKind = 'flip' | 'split' | 'subdivide';
 
 export class Connection {
@@ -41,15 +48,20 @@ export class Connection {
 
   /** @throws Error with a text for people if the server says no, or is not there */
   private async post<T>(path: string, body: unknown): Promise<T> {
+    const bytes = body instanceof Uint8Array;
     let response: Response;
     try {
       response = await fetch(path, {
         method: 'POST',
-        headers: { 'X-Meshgrade-Token': this.token, 'Content-Type': 'application/json' },
-        body: JSON.stringify(body),
+        headers: { 'X-Meshgrade-Token': this.token,
+          'Content-Type': bytes ? 'application/octet-stream' : 'application/json' },
+        body: bytes ? (body as BodyInit) : JSON.stringify(body),
       });
     } catch {
       throw new Error('meshgrade view does not answer: is it still running?');
+    }
+    if (response.headers.get('Content-Type') === 'application/octet-stream') {
+      return unpackLive(await response.arrayBuffer()) as T;
     }
     const text = await response.text();
     if (!response.ok && !text.startsWith('{')) throw new Error(text || `error ${response.status}`);
@@ -63,13 +75,15 @@ export class Connection {
     this.post('/step', edge === null ? { kind } : { kind, edge });
   goTo = (position: number): Promise<LiveState> => this.post('/go', { position });
   open = (name: string, bytes: Uint8Array): Promise<LiveState> =>
-    this.post('/open', { name, bytes: [...bytes] });
+    this.post(`/open?name=${encodeURIComponent(name)}`, bytes);
   normals = (): Promise<{ normals?: (number | null)[]; error?: string }> => this.post('/normals', {});
 
   levels = (): Promise<{ label: string; state: StateJson }[]> => this.post('/levels', {});
 
   curve = (points: Point2[], t: number): Promise<CurveAnswer> => this.post('/curve', { points, t });
   patch = (net: Point3[][], density: number): Promise<PatchAnswer> => this.post('/patch', { net, density });
+  isocurves = (net: Point3[][], u: number, v: number): Promise<IsocurvesAnswer> =>
+    this.post('/isocurves', { net, u, v });
 
   /** Calls back whenever the source was built again, and when the server comes or goes. */
   listen(onChange: () => void, onAlive: (alive: boolean) => void): void {

@@ -1,8 +1,9 @@
 // A Bezier curve: its control points, and the levels of de Casteljau's algorithm as the
 // student's function gives them.
 
-import { button, el, replace } from '../dom';
+import { button, el, followPointer, keyButton, replace } from '../dom';
 import { saveFile } from '../model/export';
+import { History } from '../model/history';
 import type { Connection, CurveAnswer, Point2 } from './connection';
 import { BezierShell, verdict } from './shell';
 
@@ -26,12 +27,13 @@ export class CurvePage {
   private level = 0;
   private whole = false;
   private chosen = 0;
+  private readonly history = new History<Point2[]>();
   private answer: CurveAnswer | null = null;
   private readonly scale: number;
   private readonly low: Point2;
 
   constructor(app: HTMLElement, private readonly connection: Connection, private readonly name: string,
-    private readonly points: Point2[]) {
+    private points: Point2[]) {
     const [x, y] = [points.map((p) => p[0]), points.map((p) => p[1])];
     const reach = (axis: number[]): [number, number] => [Math.min(...axis), Math.max(...axis)];
     const [[x0, x1], [y0, y1]] = [reach(x), reach(y)];
@@ -51,18 +53,15 @@ export class CurvePage {
   }
 
   private fillFoot(): void {
-    const action = (text: string, key: string, act: () => void): HTMLButtonElement => {
-      const made = button(text, act, { 'aria-keyshortcuts': key });
-      made.append(' ', el('kbd', {}, key));
-      return made;
-    };
     this.slider.addEventListener('input', () => this.setT(Number(this.slider.value)));
     this.shell.foot.append(
       el('label', { class: 'slider' }, 't ', this.slider, this.shownT),
-      action('Next level', 'E', () => this.nextLevel()),
-      action('Whole curve', 'C', () => this.toggleWhole()),
-      action('Add point', 'A', () => this.addPoint()),
-      action('Remove point', 'Delete', () => this.removePoint()));
+      keyButton('Next level', 'E', () => this.nextLevel()),
+      keyButton('Whole curve', 'C', () => this.toggleWhole()),
+      keyButton('Add point', 'A', () => this.addPoint()),
+      keyButton('Remove point', 'Delete', () => this.removePoint()),
+      keyButton('Undo', 'Z', () => this.turnBack('undo')),
+      keyButton('Redo', 'Y', () => this.turnBack('redo')));
   }
 
   private onKey(event: KeyboardEvent): void {
@@ -73,20 +72,24 @@ export class CurvePage {
       c: () => this.toggleWhole(),
       a: () => this.addPoint(),
       Delete: () => this.removePoint(),
+      z: () => this.turnBack(event.shiftKey ? 'redo' : 'undo'),
+      y: () => this.turnBack('redo'),
     };
     const act = acts[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (act) act();
-    else if (!target.matches('.control') || !this.moveByKey(event.key, event.shiftKey)) return;
+    else if (!target.matches('.control') || !this.moveByKey(event)) return;
     event.preventDefault();
   }
 
-  private moveByKey(key: string, far: boolean): boolean {
-    const step = (far ? 40 : 8) / this.scale;
+  private moveByKey(event: KeyboardEvent): boolean {
+    const step = (event.shiftKey ? 40 : 8) / this.scale;
     const ways: Record<string, Point2> = {
       ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
     };
-    const way = ways[key];
+    const way = ways[event.key];
     if (!way) return false;
+    // A key that is held down is one change.
+    if (!event.repeat) this.keep();
     const [x, y] = this.points[this.chosen]!;
     this.move(this.chosen, [x + way[0] * step, y + way[1] * step]);
     return true;
@@ -113,6 +116,7 @@ export class CurvePage {
   private addPoint(): void {
     const left = Math.min(this.chosen, this.points.length - 2);
     const [a, b] = [this.points[left]!, this.points[left + 1]!];
+    this.keep();
     this.points.splice(left + 1, 0, [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2]);
     this.chosen = left + 1;
     this.changed();
@@ -123,8 +127,25 @@ export class CurvePage {
       this.shell.say('A curve has at least two control points.');
       return;
     }
+    this.keep();
     this.points.splice(this.chosen, 1);
     this.chosen = Math.min(this.chosen, this.points.length - 1);
+    this.changed();
+  }
+
+  private keep(): void {
+    this.history.keep(this.points);
+  }
+
+  private turnBack(which: 'undo' | 'redo'): void {
+    const then = this.history[which](this.points);
+    if (!then) {
+      this.shell.say(`There is nothing to ${which}.`);
+      return;
+    }
+    this.points = then;
+    this.chosen = Math.min(this.chosen, then.length - 1);
+    this.shell.say(which === 'undo' ? 'The last change is undone.' : 'The change is there again.');
     this.changed();
   }
 
@@ -201,16 +222,11 @@ export class CurvePage {
     event.preventDefault();
     this.chosen = i;
     const svg = this.picture as unknown as SVGSVGElement;
-    const moved = (now: PointerEvent): void => {
+    followPointer((now, first) => {
+      if (first) this.keep();
       const at = new DOMPoint(now.clientX, now.clientY).matrixTransform(svg.getScreenCTM()!.inverse());
       this.move(i, [at.x / this.scale + this.low[0], (HEIGHT - at.y) / this.scale + this.low[1]]);
-    };
-    const done = (): void => {
-      window.removeEventListener('pointermove', moved);
-      window.removeEventListener('pointerup', done);
-    };
-    window.addEventListener('pointermove', moved);
-    window.addEventListener('pointerup', done);
+    });
   }
 
   private describe(answer: CurveAnswer): void {

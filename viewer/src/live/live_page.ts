@@ -1,6 +1,6 @@
 // The live viewer: every step is done by the student's own functions, on the server.
 
-import { button, el, replace, type Child } from '../dom';
+import { button, el, keyButton, replace, type Child } from '../dom';
 import { saveFile, toGlb, toObj } from '../model/export';
 import { Mesh } from '../model/mesh';
 import { findingBlock, pointerTables } from '../panels/case_card';
@@ -80,28 +80,23 @@ export class LivePage {
   }
 
   private actions(): HTMLElement {
-    const action = (text: string, key: string, act: () => void): HTMLButtonElement => {
-      const made = button(text, act, { 'aria-keyshortcuts': key });
-      made.append(' ', el('kbd', {}, key));
-      return made;
-    };
-    const smooth = action('Smooth', 'Q', () => void this.toggleSmooth());
+    const smooth = keyButton('Smooth', 'Q', () => void this.toggleSmooth());
     smooth.dataset['option'] = 'smooth';
     smooth.setAttribute('aria-pressed', 'false');
     return el('div', { class: 'actions', role: 'group', 'aria-label': 'Operations' },
-      action('Flip', 'F', () => this.step('flip')),
-      action('Split', 'S', () => this.step('split')),
-      action('Subdivide', 'U', () => this.step('subdivide')),
-      action('Undo', 'Z', () => this.move(-1)),
-      action('Redo', 'Y', () => this.move(1)),
-      action('Next', 'N', () => this.panel.follow('next')),
-      action('Twin', 'T', () => this.panel.follow('twin')),
-      action('Half-edge', 'H', () => this.panel.follow('halfedge')),
-      smooth, this.levelsButton(action));
+      keyButton('Flip', 'F', () => this.step('flip')),
+      keyButton('Split', 'S', () => this.step('split')),
+      keyButton('Subdivide', 'U', () => this.step('subdivide')),
+      keyButton('Undo', 'Z', () => this.move(-1)),
+      keyButton('Redo', 'Y', () => this.move(1)),
+      keyButton('Next', 'N', () => this.panel.follow('next')),
+      keyButton('Twin', 'T', () => this.panel.follow('twin')),
+      keyButton('Half-edge', 'H', () => this.panel.follow('halfedge')),
+      smooth, this.levelsButton());
   }
 
-  private levelsButton(action: (text: string, key: string, act: () => void) => HTMLButtonElement): HTMLButtonElement {
-    const made = action('Levels', 'V', () => void this.toggleLevels());
+  private levelsButton(): HTMLButtonElement {
+    const made = keyButton('Levels', 'V', () => void this.toggleLevels());
     made.dataset['option'] = 'levels';
     made.setAttribute('aria-pressed', 'false');
     return made;

@@ -1,13 +1,14 @@
 // A half-edge mesh as the grader wrote it down. Pointers are numbers; a broken one is as good a
 // number as any. Nothing here says whether a mesh is right: the grader does.
 
+/** Flat lists, as the grader's JSON has them. */
 export interface MeshJson {
-  h: number[];
-  v: number[];
-  p: (number | null)[];
-  e: number[];
-  f: number[];
-  b: number[];
+  h: ArrayLike<number>;
+  v: ArrayLike<number>;
+  p: ArrayLike<number | null>;
+  e: ArrayLike<number>;
+  f: ArrayLike<number>;
+  b: ArrayLike<number>;
 }
 
 export type Kind = 'h' | 'v' | 'e' | 'f' | 'b';
@@ -84,7 +85,8 @@ export class Mesh {
   readonly edgeCount: number;
   readonly faceCount: number;
   readonly boundaryCount: number;
-  private readonly walks: FaceWalk[];
+  /** Made when they are asked for: not every mesh that comes is looked at. */
+  private walks: FaceWalk[] | null = null;
 
   constructor(private readonly data: MeshJson) {
     this.halfedgeCount = data.h.length / 6;
@@ -92,32 +94,32 @@ export class Mesh {
     this.edgeCount = data.e.length / 2;
     this.faceCount = data.f.length / 3;
     this.boundaryCount = data.b.length / 3;
-    this.walks = this.walkFaces();
   }
 
   size(kind: Kind): number {
-    return {
-      h: this.halfedgeCount,
-      v: this.vertexCount,
-      e: this.edgeCount,
-      f: this.faceCount,
-      b: this.boundaryCount,
-    }[kind];
+    switch (kind) {
+      case 'h': return this.halfedgeCount;
+      case 'v': return this.vertexCount;
+      case 'e': return this.edgeCount;
+      case 'f': return this.faceCount;
+      case 'b': return this.boundaryCount;
+    }
   }
 
-  isLive(element: Element): boolean {
-    const { kind, index } = element;
+  isLive({ kind, index }: Element): boolean {
+    return this.lives(kind, index);
+  }
+
+  private lives(kind: Kind, index: number): boolean {
     if (index >= this.size(kind)) return false;
-    const { h, v, e, f, b } = this.data;
-    const live = { h: h[6 * index + 5], v: v[2 * index + 1], e: e[2 * index + 1],
-      f: f[3 * index + 1], b: b[3 * index + 1] }[kind];
-    return live !== 0;
+    const place = kind === 'h' ? 6 * index + 5 : kind === 'v' || kind === 'e' ? 2 * index + 1 : 3 * index + 1;
+    return this.data[kind][place] !== 0;
   }
 
   countLive(kind: Kind): number {
     let count = 0;
     for (let index = 0; index < this.size(kind); ++index) {
-      if (this.isLive({ kind, index })) ++count;
+      if (this.lives(kind, index)) ++count;
     }
     return count;
   }
@@ -125,7 +127,7 @@ export class Mesh {
   /** A pointer of a half-edge as the number of what it leads to; -1 if that is not there. */
   private follow(h: number, place: number, kind: Kind): number {
     const ref = this.data.h[6 * h + place]!;
-    return ref < DELETED && this.isLive({ kind, index: ref }) ? ref : -1;
+    return ref < DELETED && this.lives(kind, ref) ? ref : -1;
   }
   next(h: number): number {
     return this.follow(h, 0, 'h');
@@ -152,7 +154,7 @@ export class Mesh {
     if (!this.isLive(element)) return -1;
     const stride = element.kind === 'v' || element.kind === 'e' ? 2 : 3;
     const ref = this.data[element.kind][stride * element.index]!;
-    return ref < DELETED && this.isLive({ kind: 'h', index: ref }) ? ref : -1;
+    return ref < DELETED && this.lives('h', ref) ? ref : -1;
   }
 
   /** The vertex where a half-edge ends: that of its next, or of its twin if next is broken. */
@@ -167,8 +169,11 @@ export class Mesh {
 
   /** x, y, z of a vertex; 0 for what is no finite number. */
   position(v: number): [number, number, number] {
-    const { p } = this.data;
-    return [p[3 * v] ?? 0, p[3 * v + 1] ?? 0, p[3 * v + 2] ?? 0];
+    return [this.coordinate(v, 0), this.coordinate(v, 1), this.coordinate(v, 2)];
+  }
+  coordinate(v: number, axis: number): number {
+    const x = this.data.p[3 * v + axis];
+    return Number.isFinite(x) ? x! : 0;
   }
 
   pointers(element: Element): Pointer[] {
@@ -195,7 +200,7 @@ export class Mesh {
 
   /** The walks around all live faces. */
   faces(): FaceWalk[] {
-    return this.walks;
+    return (this.walks ??= this.walkFaces());
   }
 
   private walkFaces(): FaceWalk[] {
@@ -211,10 +216,8 @@ export class Mesh {
   walk(face: Element): FaceWalk {
     const start = this.halfedge(face);
     const halfedges: number[] = [];
-    const seen = new Set<number>();
     let h = start;
-    while (h >= 0 && !seen.has(h) && halfedges.length < LONGEST_WALK && this.vertex(h) >= 0) {
-      seen.add(h);
+    while (h >= 0 && halfedges.length < LONGEST_WALK && this.vertex(h) >= 0 && !halfedges.includes(h)) {
       halfedges.push(h);
       h = this.next(h);
     }

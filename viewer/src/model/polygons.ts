@@ -6,14 +6,14 @@ import type { MeshJson } from './mesh';
 const UNSET = 0xffffffff;
 
 export function meshOfPolygons(positions: [number, number, number][], polygons: number[][]): MeshJson {
-  const mesh: MeshJson = { h: [], v: [], p: positions.flat(), e: [], f: [], b: [] };
-  positions.forEach(() => mesh.v.push(UNSET, 1));
+  const [h, v, f]: [number[], number[], number[]] = [[], [], []];
+  positions.forEach(() => v.push(UNSET, 1));
   polygons.forEach((polygon, face) => {
-    const first = mesh.h.length / 6;
-    mesh.f.push(first, 1, 0);
+    const first = h.length / 6;
+    f.push(first, 1, 0);
     polygon.forEach((vertex, i) => {
-      mesh.h.push(first + ((i + 1) % polygon.length), UNSET, vertex, UNSET, face, 1);
+      h.push(first + ((i + 1) % polygon.length), UNSET, vertex, UNSET, face, 1);
     });
   });
-  return mesh;
+  return { h, v, p: positions.flat(), e: [], f, b: [] };
 }

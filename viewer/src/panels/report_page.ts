@@ -82,12 +82,21 @@ function failedCases(group: Group, cases: Case[]): Child[] {
     el('summary', {}, `${others.length} more like these: ${title}`), ...others)];
 }
 
+/** Where no case has more to tell than why it did not run, each reason is said once. */
+function untriedCases(cases: Case[]): Child[] {
+  const reasons = [...new Set(cases.map((c) => c.note).filter((note) => note !== ''))];
+  return [...reasons.slice(0, FIRST_CASES).map((reason) => el('p', { class: 'note' }, reason)),
+    el('details', { class: 'others' },
+      el('summary', {}, `${cases.length} ${cases.length === 1 ? 'case' : 'cases'} of it`), ...cases.map(caseCard))];
+}
+
 function exerciseSection(exercise: Exercise): HTMLElement {
   const isPlain = (c: Case): boolean => c.verdict === 'passed' && c.output === '';
   const failed = exercise.cases.filter((c) => !isPlain(c));
-  const cards = exercise.groups.flatMap((group) =>
-    failedCases(group, failed.filter((c) => c.group === group.name)));
   const told = failed.find((c) => c.findings.length > 0);
+  const isUntried = failed.length > 0 && !told && failed.every((c) => c.output === '');
+  const cards = isUntried ? untriedCases(failed) : exercise.groups.flatMap((group) =>
+    failedCases(group, failed.filter((c) => c.group === group.name)));
   const section = el(
     'section',
     { class: 'exercise', id: `exercise-${exercise.name}` },

@@ -4,13 +4,15 @@ import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { nameOf, sameElement, type Element, type Mesh } from '../model/mesh';
 import { palette, type Palette } from './colors';
+import { idLabels } from './id_labels';
 import { drawLabels, type Label } from './labels';
-import { pick } from './picking';
+import { Handles, rayAt } from './handles';
+import { hitSurface, pick, type SurfaceHit } from './picking';
 import {
-  ArrowMaker, add, arrowTriangles, ballOf, length, linesOf, mix, placeOf, planesAround,
-  planesBeside, scale, sub, surfaceOf, unit, type Plane, type Surface, type Vec,
+  ArrowMaker, add, arrowTriangles, ballOf, length, linesOf, mix, placeOf, scale, sub,
+  surfaceOf, unit, usualEdge, type Surface, type Vec,
 } from './shapes';
-import { arcObjects, ballObject, colouredObject, lineObject, surfaceObjects, triangleObject, tubeObject } from './solids';
+import { arcObjects, ball, colouredObject, flatTriangles, surfaceObject, tube } from './solids';
 import { softwareRendered } from './webgl';
 
 /** A pointer that is wrong, or one that it should be. */
@@ -56,8 +58,17 @@ export interface Camera {
 /** More arcs and callouts than this hide the mesh; the lists beside it name all. */
 const MOST_CALLOUTS = 8;
 const MOST_ARROWS = 3000;
-const MOST_LABELS = 400;
 const HEAVY_TRIANGLES = 20000;
+const LEAST_EDGE_PIXELS = 5;
+
+function clear(group: THREE.Group): void {
+  group.traverse((object) => {
+    if (!(object instanceof THREE.Mesh || object instanceof THREE.LineSegments)) return;
+    object.geometry.dispose();
+    for (const material of [object.material].flat()) (material as THREE.Material).dispose();
+  });
+  group.clear();
+}
 
 export class MeshView {
   readonly canvas: HTMLCanvasElement;
@@ -67,9 +78,15 @@ export class MeshView {
   };
   /** Further lines, as pairs of ends. */
   lines: { points: Float32Array; color: keyof Palette }[] = [];
+  /** Curves that are seen through the surface. */
+  curves: { points: Vec[]; color: keyof Palette }[] = [];
   onPick: (element: Element | null) => void = () => {};
   /** Called when the user has moved the camera. */
   onCamera: (camera: Camera) => void = () => {};
+  /** Where the pointer is on the surface while no button is down. */
+  onSurface: ((hit: SurfaceHit | null) => void) | null = null;
+  /** The colours have changed: what was drawn from outside must be drawn again. */
+  onRestyle: () => void = () => {};
 
   private readonly renderer: THREE.WebGLRenderer;
   private readonly labelCanvas = document.createElement('canvas');
@@ -78,6 +95,8 @@ export class MeshView {
   private readonly lamp = new THREE.DirectionalLight(0xffffff, 1.6);
   private readonly controls: OrbitControls;
   private readonly content = new THREE.Group();
+  /** What changes with the selection, so that a click does not make a large mesh anew. */
+  private readonly overlay = new THREE.Group();
   private readonly software: boolean;
   private readonly observer: ResizeObserver;
   private colors: Palette;
@@ -89,7 +108,9 @@ export class MeshView {
   private vertexColors: (string | null)[] | null = null;
   private selected: Element | null = null;
   private labels: Label[] = [];
+  private holeLabels: Label[] = [];
   private ball = { centre: [0, 0, 0] as Vec, radius: 1 };
+  private edgeLength = 0;
   private frame = 0;
   private size: [number, number] = [0, 0];
   private dragging = false;
@@ -106,7 +127,7 @@ export class MeshView {
     this.labelCanvas.setAttribute('aria-hidden', 'true');
     host.replaceChildren(this.canvas, this.labelCanvas);
     this.colors = palette(host);
-    this.scene.add(this.content, new THREE.HemisphereLight(0xffffff, 0x9a9a9a, 1.9), this.camera);
+    this.scene.add(this.content, this.overlay, new THREE.HemisphereLight(0xffffff, 0x9a9a9a, 1.9), this.camera);
     this.camera.add(this.lamp);
     this.lamp.position.set(-0.6, 0.9, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -123,7 +144,8 @@ export class MeshView {
     this.observer.disconnect();
     matchMedia('(prefers-color-scheme: dark)').removeEventListener('change', this.restyle);
     cancelAnimationFrame(this.frame);
-    this.clear();
+    clear(this.content);
+    clear(this.overlay);
     this.controls.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
@@ -132,6 +154,7 @@ export class MeshView {
   private readonly restyle = (): void => {
     this.colors = palette(this.host);
     this.rebuild();
+    this.onRestyle();
   };
 
   /** The wheel zooms only while the view has the focus, so that a long page can be scrolled. */
@@ -149,6 +172,7 @@ export class MeshView {
     this.maker = new ArrowMaker(mesh);
     this.surface = surfaceOf(mesh);
     this.ball = ballOf(mesh);
+    this.edgeLength = usualEdge(this.surface);
     if (this.selected && !mesh.isLive(this.selected)) this.selected = null;
     if (fit) this.reset();
     this.rebuild();
@@ -156,7 +180,7 @@ export class MeshView {
 
   select(element: Element | null): void {
     this.selected = element;
-    this.rebuild();
+    this.rebuildOverlay();
   }
 
   setOption(name: keyof ViewOptions, value: boolean): void {
@@ -274,14 +298,31 @@ export class MeshView {
 
   private drag(on: boolean): void {
     this.dragging = on;
-    const heavy = this.software && (this.surface?.faces.length ?? 0) > HEAVY_TRIANGLES;
-    if (heavy) {
-      this.renderer.setPixelRatio(on ? 0.5 : 1);
-      for (const child of this.content.children) {
-        if (child.userData['detail']) child.visible = !on;
-      }
-    }
+    if (this.software && this.isHeavy()) this.renderer.setPixelRatio(on ? 0.5 : 1);
     this.draw();
+  }
+
+  private isHeavy(): boolean {
+    return (this.surface?.faces.length ?? 0) > HEAVY_TRIANGLES;
+  }
+
+  /** The lines of a large mesh are left out where they would hide it, and while it is turned. */
+  private showDetail(): void {
+    const plain = !this.isHeavy() || this.options.wireframe;
+    const still = !(this.dragging && this.software);
+    const wide = this.edgePixels() >= LEAST_EDGE_PIXELS;
+    for (const child of this.content.children) {
+      const { detail, edges } = child.userData;
+      if (detail) child.visible = plain || (still && (!edges || wide));
+    }
+  }
+
+  /** The length of a usual edge in the part of the mesh that is near. */
+  private edgePixels(): number {
+    const { centre, radius } = this.ball;
+    const far = Math.max(this.camera.near, length(sub(this.camera.position.toArray(), centre)) - 0.5 * radius);
+    const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    return (this.edgeLength / (2 * far * half)) * this.host.clientHeight;
   }
 
   draw(): void {
@@ -290,6 +331,7 @@ export class MeshView {
   }
 
   renderNow(): void {
+    this.showDetail();
     this.renderer.render(this.scene, this.camera);
     this.camera.updateMatrixWorld();
     drawLabels(this.labelCanvas, this.dragging && this.labels.length > 200 ? [] : this.labels,
@@ -301,62 +343,86 @@ export class MeshView {
     this.canvas.addEventListener('pointerdown', (event) => (down = [event.clientX, event.clientY]));
     this.canvas.addEventListener('pointerup', (event) => {
       if (Math.hypot(event.clientX - down[0]!, event.clientY - down[1]!) > 4) return;
-      const box = this.canvas.getBoundingClientRect();
-      const point = new THREE.Vector2(
-        (2 * (event.clientX - box.left)) / box.width - 1,
-        1 - (2 * (event.clientY - box.top)) / box.height,
-      );
-      const ray = new THREE.Raycaster();
-      ray.setFromCamera(point, this.camera);
-      if (this.mesh && this.surface) this.onPick(pick(this.mesh, this.surface, ray.ray));
+      const ray = rayAt(event, this.canvas, this.camera);
+      if (this.mesh && this.surface) this.onPick(pick(this.mesh, this.surface, ray));
+    });
+    this.canvas.addEventListener('pointermove', (event) => {
+      if (!this.onSurface || !this.surface || event.buttons !== 0) return;
+      this.onSurface(hitSurface(this.surface, rayAt(event, this.canvas, this.camera)));
     });
   }
 
-  private clear(): void {
-    this.content.traverse((object) => {
-      if (!(object instanceof THREE.Mesh || object instanceof THREE.LineSegments)) return;
-      object.geometry.dispose();
-      for (const material of [object.material].flat()) (material as THREE.Material).dispose();
-    });
-    this.content.clear();
+  /** Points that can be dragged in this view. */
+  addHandles(): Handles {
+    const handles = new Handles({ canvas: this.canvas, camera: this.camera, draw: () => this.draw() });
+    this.scene.add(handles.group);
+    return handles;
+  }
+
+  palette(): Palette {
+    return this.colors;
   }
 
   private rebuild(): void {
     if (!this.mesh || !this.surface) return;
-    this.clear();
-    this.labels = [];
+    clear(this.content);
+    this.holeLabels = [];
     this.scene.background = new THREE.Color(this.colors.ground);
-    if (!this.options.wireframe) this.addSurface(this.surface);
-    if (this.options.edges) this.addLines(linesOf(this.mesh), this.colors.line);
-    for (const { points, color } of this.lines) this.addLines(points, this.colors[color]);
+    const corners = new THREE.BufferAttribute(this.surface.positions, 3);
+    if (!this.options.wireframe) this.addSurface(this.surface, corners);
+    if (this.options.edges) this.addLines(corners, this.colors.line, linesOf(this.mesh));
+    for (const { points, color } of this.lines) {
+      this.addLines(new THREE.BufferAttribute(points, 3), this.colors[color]);
+    }
     if (this.options.arrows && !this.vertexColors) this.addArrows();
+    this.addNormalLines();
+    this.rebuildOverlay();
+  }
+
+  private rebuildOverlay(): void {
+    if (!this.mesh) return;
+    clear(this.overlay);
+    this.labels = [...this.holeLabels];
     this.addSelection();
     this.addArcs();
     this.addWorst();
-    this.addNormalLines();
-    this.addLabels();
+    for (const { points, color } of this.curves) {
+      if (points.length > 1) this.overlay.add(tube(points, 0.006 * this.ball.radius, this.colors[color]));
+    }
+    if (this.options.ids) this.labels.unshift(...idLabels(this.mesh, this.maker!, this.idKinds(), this.selected));
     this.draw();
   }
 
-  private addSurface(surface: Surface): void {
-    if (this.vertexColors) {
-      this.content.add(colouredObject(surface, this.vertexColors, this.colors.wrong));
-      return;
-    }
-    const normals = this.options.smooth ? this.normals : null;
-    this.content.add(...surfaceObjects(surface, normals, this.colors.front, this.colors.back));
+  private idKinds(): ('f' | 'h' | 'e' | 'v')[] {
+    const { edgeIds } = this.options;
+    return ['f', ...(this.vertexColors ? [] : ['h' as const]), ...(edgeIds ? ['e' as const] : []), 'v'];
   }
 
   private addWorst(): void {
     for (const index of this.marks.vertices ?? []) {
       const at = this.mesh!.position(index);
-      this.content.add(ballObject(at, this.ball.radius * 0.02, this.colors.wrong));
+      this.overlay.add(ball(at, this.ball.radius * 0.02, this.colors.wrong));
       this.labels.push({ text: nameOf({ kind: 'v', index }), at, normal: [0, 0, 0], style: 'wrong' });
     }
   }
 
-  private addLines(points: Float32Array, color: string): void {
-    this.content.add(lineObject(points, color));
+  private addSurface(surface: Surface, positions: THREE.BufferAttribute): void {
+    if (this.vertexColors) {
+      this.content.add(colouredObject(surface, positions, this.vertexColors, this.colors.wrong));
+      return;
+    }
+    const normals = this.options.smooth ? this.normals : null;
+    this.content.add(surfaceObject(surface, positions, normals, this.colors.front, this.colors.back));
+  }
+
+  /** Lines between each two points, or between those that `ends` numbers. */
+  private addLines(points: THREE.BufferAttribute, color: string, ends: Uint32Array | null = null): void {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', points);
+    if (ends) geometry.setIndex(new THREE.BufferAttribute(ends, 1));
+    const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color }));
+    lines.userData = { detail: true, edges: ends !== null };
+    this.content.add(lines);
   }
 
   /** Half-edges that say they lie in a face whose walk does not close: it is open. */
@@ -367,9 +433,9 @@ export class MeshView {
       const own = walk.halfedges.filter((h) => sameElement(this.mesh!.face(h), walk.face));
       own.forEach((h) => rim.add(h));
       const plane = this.maker!.plane(walk.face);
-      if (!plane || this.labels.length >= MOST_CALLOUTS) continue;
+      if (!plane || this.holeLabels.length >= MOST_CALLOUTS) continue;
       const text = `${nameOf(walk.face)} is open`;
-      this.labels.push({ text, at: plane.centre, normal: [0, 0, 0], style: 'wrong' });
+      this.holeLabels.push({ text, at: plane.centre, normal: [0, 0, 0], style: 'wrong' });
     }
     return rim;
   }
@@ -397,7 +463,7 @@ export class MeshView {
   }
 
   private addTriangles(points: Vec[], color: string, onTop = false): void {
-    if (points.length > 0) this.content.add(triangleObject(points, color, onTop));
+    if (points.length > 0) (onTop ? this.overlay : this.content).add(flatTriangles(points, color, onTop));
   }
 
   /** The selected element, with the next and the twin of a half-edge. */
@@ -415,12 +481,13 @@ export class MeshView {
       this.addTriangles(this.arrowOf(mesh.next(element.index), 1.6), next, true);
       this.addTriangles(this.arrowOf(element.index, 1.9), selected, true);
     } else if (element.kind === 'v') {
-      this.content.add(ballObject(mesh.position(element.index), this.ball.radius * 0.03, selected));
+      this.overlay.add(ball(mesh.position(element.index), this.ball.radius * 0.03, selected));
     } else if (element.kind === 'e') {
       const h = mesh.halfedge(element);
       const [a, b] = [mesh.vertex(h), mesh.end(h)];
-      if (a < 0 || b < 0) return;
-      this.content.add(tubeObject([mesh.position(a), mesh.position(b)], selected, 0.009 * this.ball.radius));
+      if (a >= 0 && b >= 0) {
+        this.overlay.add(tube([mesh.position(a), mesh.position(b)], 0.009 * this.ball.radius, selected));
+      }
     } else {
       for (const h of mesh.walk(element).halfedges) {
         this.addTriangles(this.arrowOf(h, 1.6), selected, true);
@@ -440,7 +507,7 @@ export class MeshView {
       const to = arc.target && placeOf(this.mesh!, this.maker!, arc.target);
       const end: Vec = to ? to.centre : add(from.centre, scale(outward, 0.5 * this.ball.radius));
       const { objects, apex } = arcObjects(from.centre, end, outward, this.ball.radius, this.colors.wrong);
-      this.content.add(...objects);
+      this.overlay.add(...objects);
       this.labels.push({ text: arc.text, at: to ? apex : end, normal: [0, 0, 0], style: 'wrong' });
     }
   }
@@ -455,43 +522,6 @@ export class MeshView {
       if (!normal.every(Number.isFinite)) continue;
       points.push(...at, ...add(at, scale(normal, 0.15 * this.ball.radius)));
     }
-    this.addLines(Float32Array.from(points), this.colors.twin);
-  }
-
-  private addLabels(): void {
-    const mesh = this.mesh!;
-    if (!this.options.ids || mesh.halfedgeCount > MOST_LABELS) return;
-    const around = planesAround(mesh, this.maker!);
-    const ids: Label[] = [];
-    for (const kind of ['f', 'h', 'e', 'v'] as const) {
-      if ((kind === 'e' && !this.options.edgeIds) || (kind === 'h' && this.vertexColors)) continue;
-      for (let index = 0; index < mesh.size(kind); ++index) {
-        const element: Element = { kind, index };
-        if (!mesh.isLive(element) || sameElement(element, this.selected)) continue;
-        const label = this.labelOf(element, around);
-        if (label) ids.push(label);
-      }
-    }
-    this.labels.unshift(...ids);
-  }
-
-  private labelOf(element: Element, around: Map<number, Plane[]>): Label | null {
-    const mesh = this.mesh!;
-    const place = placeOf(mesh, this.maker!, element);
-    if (!place) return null;
-    const { kind, index } = element;
-    const style = ({ v: 'vertex', h: 'halfedge', e: 'edge', f: 'face', b: 'face' } as const)[kind];
-    const label: Label = { text: nameOf(element), at: place.centre, normal: [0, 0, 0], style };
-    if (kind === 'e') {
-      // Aside of the middle, where the names of its half-edges are.
-      const h = mesh.halfedge(element);
-      label.at = mix(mesh.position(mesh.vertex(h)), mesh.position(mesh.end(h)), 0.3);
-    }
-    // The back of a surface with a boundary can be seen, so nothing of it is hidden.
-    if (mesh.countLive('b') > 0) return label;
-    if (kind === 'v') label.planes = around.get(index) ?? [];
-    else if (kind === 'e') label.planes = planesBeside(mesh, this.maker!, element);
-    else label.normal = place.normal;
-    return label;
+    this.addLines(new THREE.BufferAttribute(Float32Array.from(points), 3), this.colors.twin);
   }
 }

@@ -10,14 +10,15 @@ const ON_LINE = 0.055;
 const BESIDE_LINE = 0.2;
 
 function nearestTriangle(surface: Surface, ray: Ray): { triangle: number; at: Vector3 } | null {
+  const { positions, corners } = surface;
   const [a, b, c, hit] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
   const at = new Vector3();
   let nearest = Infinity;
   let triangle = -1;
   for (let t = 0; t < surface.faces.length; ++t) {
-    a.fromArray(surface.positions, 9 * t);
-    b.fromArray(surface.positions, 9 * t + 3);
-    c.fromArray(surface.positions, 9 * t + 6);
+    a.fromArray(positions, 3 * corners[3 * t]!);
+    b.fromArray(positions, 3 * corners[3 * t + 1]!);
+    c.fromArray(positions, 3 * corners[3 * t + 2]!);
     if (!ray.intersectTriangle(a, b, c, false, hit)) continue;
     const distance = hit.distanceToSquared(ray.origin);
     if (distance >= nearest) continue;
@@ -30,12 +31,25 @@ function nearestTriangle(surface: Surface, ray: Ray): { triangle: number; at: Ve
 
 /** The shares of the three corners in a point of a triangle. */
 function shares(surface: Surface, t: number, at: Vector3): [number, number, number] {
-  const corner = (i: number): Vector3 => new Vector3().fromArray(surface.positions, 9 * t + 3 * i);
+  const corner = (i: number): Vector3 => new Vector3().fromArray(surface.positions, 3 * surface.corners[3 * t + i]!);
   const [a, b, c] = [corner(0), corner(1), corner(2)];
   const area = (p: Vector3, q: Vector3, r: Vector3): number =>
     q.clone().sub(p).cross(r.clone().sub(p)).length();
   const whole = area(a, b, c) || 1;
   return [area(at, b, c) / whole, area(a, at, c) / whole, area(a, b, at) / whole];
+}
+
+/** A point of a surface: its triangle's vertices, and the share that each has in it. */
+export interface SurfaceHit {
+  vertices: [number, number, number];
+  shares: [number, number, number];
+}
+
+export function hitSurface(surface: Surface, ray: Ray): SurfaceHit | null {
+  const hit = nearestTriangle(surface, ray);
+  if (!hit) return null;
+  const [a, b, c] = surface.corners.subarray(3 * hit.triangle, 3 * hit.triangle + 3);
+  return { vertices: [a!, b!, c!], shares: shares(surface, hit.triangle, hit.at) };
 }
 
 export function pick(mesh: Mesh, surface: Surface, ray: Ray): Element | null {

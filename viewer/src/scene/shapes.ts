@@ -21,6 +21,7 @@ export const unit = (a: Vec): Vec => {
 export const mix = (a: Vec, b: Vec, t: number): Vec => add(scale(a, 1 - t), scale(b, t));
 
 export interface Surface {
+  /** Of all vertices, also of those that no triangle has. */
   positions: Float32Array;
   /** The vertex of each corner. */
   corners: Uint32Array;
@@ -31,42 +32,62 @@ export interface Surface {
 
 /** The faces that close, cut into triangles. */
 export function surfaceOf(mesh: Mesh): Surface {
-  const corners: number[] = [];
-  const faces: number[] = [];
-  const sides: number[] = [];
-  for (const walk of mesh.faces()) {
-    if (!walk.closed) continue;
-    const h = walk.halfedges;
-    for (let i = 1; i + 1 < h.length; ++i) {
-      corners.push(mesh.vertex(h[0]!), mesh.vertex(h[i]!), mesh.vertex(h[i + 1]!));
-      faces.push(walk.face.index);
-      sides.push(i === 1 ? h[0]! : -1, h[i]!, i + 2 === h.length ? h[i + 1]! : -1);
+  const closed = mesh.faces().filter((walk) => walk.closed);
+  const count = closed.reduce((sum, walk) => sum + walk.halfedges.length - 2, 0);
+  const corners = new Uint32Array(3 * count);
+  const faces = new Uint32Array(count);
+  const sides = new Int32Array(3 * count);
+  let t = 0;
+  for (const { face, halfedges: h } of closed) {
+    for (let i = 1; i + 1 < h.length; ++i, ++t) {
+      faces[t] = face.index;
+      [0, i, i + 1].forEach((k, corner) => (corners[3 * t + corner] = mesh.vertex(h[k]!)));
+      sides[3 * t] = i === 1 ? h[0]! : -1;
+      sides[3 * t + 1] = h[i]!;
+      sides[3 * t + 2] = i + 2 === h.length ? h[i + 1]! : -1;
     }
   }
-  const positions = new Float32Array(3 * corners.length);
-  corners.forEach((v, i) => positions.set(mesh.position(v), 3 * i));
-  return {
-    positions,
-    corners: Uint32Array.from(corners),
-    faces: Uint32Array.from(faces),
-    sides: Int32Array.from(sides),
-  };
+  const positions = new Float32Array(3 * mesh.vertexCount);
+  for (let v = 0; v < mesh.vertexCount; ++v) {
+    for (let axis = 0; axis < 3; ++axis) positions[3 * v + axis] = mesh.coordinate(v, axis);
+  }
+  return { positions, corners, faces, sides };
 }
 
-/** The two ends of every line between vertices that some half-edge runs along, once. */
-export function linesOf(mesh: Mesh): Float32Array {
+/** The median length of the sides of some triangles, spread over the surface. */
+export function usualEdge({ positions, corners, faces }: Surface): number {
+  const lengths: number[] = [];
+  const every = Math.max(1, Math.floor(faces.length / 200));
+  const corner = (k: number): Vec => [...positions.subarray(3 * corners[k]!, 3 * corners[k]! + 3)] as Vec;
+  for (let t = 0; t < faces.length; t += every) {
+    for (let k = 0; k < 3; ++k) lengths.push(length(sub(corner(3 * t + k), corner(3 * t + ((k + 1) % 3)))));
+  }
+  return lengths.sort((a, b) => a - b)[lengths.length >> 1] ?? 0;
+}
+
+/**
+ * The two ends of every line between vertices that some half-edge runs along, as numbers of
+ * vertices, once.
+ */
+export function linesOf(mesh: Mesh): Uint32Array {
   const seen = new Set<number>();
-  const points: number[] = [];
+  const ends: number[] = [];
   for (let h = 0; h < mesh.halfedgeCount; ++h) {
     if (!mesh.isLive({ kind: 'h', index: h })) continue;
     const [a, b] = [mesh.vertex(h), mesh.end(h)];
     if (a < 0 || b < 0 || a === b) continue;
+    // A whole pair of twins, as nearly all are: the first of them is drawn.
+    const twin = mesh.twin(h);
+    if (twin >= 0 && mesh.twin(twin) === h && mesh.vertex(twin) === b && mesh.end(twin) === a) {
+      if (h < twin) ends.push(a, b);
+      continue;
+    }
     const key = Math.min(a, b) * mesh.vertexCount + Math.max(a, b);
     if (seen.has(key)) continue;
     seen.add(key);
-    points.push(...mesh.position(a), ...mesh.position(b));
+    ends.push(a, b);
   }
-  return Float32Array.from(points);
+  return Uint32Array.from(ends);
 }
 
 /** The middle and the normal of a face, from the corners that its walk came by. */
@@ -104,13 +125,17 @@ export interface Arrow {
 /** Where half-edges are drawn: beside their edge, inside their face. */
 export class ArrowMaker {
   private readonly planes = new Map<number, Plane | null>();
+  private own: Map<number, number[]> | null = null;
 
-  constructor(private readonly mesh: Mesh) {
-    const own = this.halfedgesByFace();
-    for (const walk of mesh.faces()) {
-      const around = walk.closed ? walk : { ...walk, halfedges: own.get(walk.face.index) ?? [] };
-      this.planes.set(walk.face.index, planeOf(mesh, around) ?? planeOf(mesh, walk));
-    }
+  constructor(private readonly mesh: Mesh) {}
+
+  private findPlane(face: Element): Plane | null {
+    if (!this.mesh.isLive(face)) return null;
+    const walk = this.mesh.walk(face);
+    if (walk.closed) return planeOf(this.mesh, walk);
+    this.own ??= this.halfedgesByFace();
+    const around = { ...walk, halfedges: this.own.get(face.index) ?? [] };
+    return planeOf(this.mesh, around) ?? planeOf(this.mesh, walk);
   }
 
   /** The half-edges that say they lie in a face that does not close. */
@@ -127,7 +152,13 @@ export class ArrowMaker {
   }
 
   plane(face: Element | null): Plane | null {
-    return face?.kind === 'f' ? (this.planes.get(face.index) ?? null) : null;
+    if (face?.kind !== 'f') return null;
+    let plane = this.planes.get(face.index);
+    if (plane === undefined) {
+      plane = this.findPlane(face);
+      this.planes.set(face.index, plane);
+    }
+    return plane;
   }
 
   /** The arrow of a half-edge; null if it has no two ends. */

@@ -1,18 +1,52 @@
-// What the 3D view consists of, as objects of three.js. Lengths are those of the mesh.
+// The bodies that mark something in the 3D view. They are seen through the surface.
 
 import * as THREE from 'three';
 import { add, length, mix, scale, sub, unit, type Surface, type Vec } from './shapes';
 
-/** Pairs of ends. */
-export function lineObject(points: Float32Array, color: string): THREE.LineSegments {
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
-  const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color }));
-  lines.userData['detail'] = true;
-  return lines;
+function marked(geometry: THREE.BufferGeometry, color: string, order: number): THREE.Mesh {
+  const object = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ color, depthTest: false }));
+  object.renderOrder = order;
+  return object;
 }
 
-export function triangleObject(points: Vec[], color: string, onTop: boolean): THREE.Mesh {
+export function ball(at: Vec, radius: number, color: string): THREE.Mesh {
+  const object = marked(new THREE.SphereGeometry(radius, 20, 14), color, 3);
+  object.position.set(...at);
+  return object;
+}
+
+/** A round line through points. */
+export function tube(points: Vec[], radius: number, color: string): THREE.Mesh {
+  const curve = new THREE.CatmullRomCurve3(points.map((p) => new THREE.Vector3(...p)));
+  const pieces = points.length > 2 ? Math.max(32, points.length - 1) : 1;
+  return marked(new THREE.TubeGeometry(curve, pieces, radius, 8), color, 3);
+}
+
+/** The head of an arrow, around `middle`. */
+function tip(middle: Vec, direction: Vec, size: number, color: string): THREE.Mesh {
+  const object = marked(new THREE.ConeGeometry(size, 3 * size, 14), color, 4);
+  object.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), new THREE.Vector3(...direction));
+  object.position.set(...middle);
+  return object;
+}
+
+/** An arrow that rises towards `outward` on its way; `size` is half that of the mesh. */
+export function arcObjects(
+  from: Vec, to: Vec, outward: Vec, size: number, color: string,
+): { objects: THREE.Mesh[]; apex: Vec } {
+  const lift = scale(outward, 0.25 * length(sub(to, from)) + 0.06 * size);
+  const points: Vec[] = [];
+  for (let i = 0; i <= 12; ++i) {
+    const t = i / 12;
+    points.push(add(mix(from, to, t), scale(lift, 4 * t * (1 - t))));
+  }
+  const direction = unit(sub(to, points[11]!));
+  const head = tip(sub(to, scale(direction, 0.04 * size)), direction, 0.03 * size, color);
+  return { objects: [tube(points, 0.008 * size, color), head], apex: points[6]! };
+}
+
+/** Triangles in one colour, without light. */
+export function flatTriangles(points: Vec[], color: string, onTop: boolean): THREE.Mesh {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(Float32Array.from(points.flat()), 3));
   const material = new THREE.MeshBasicMaterial({ color, side: THREE.DoubleSide, depthTest: !onTop });
@@ -21,76 +55,46 @@ export function triangleObject(points: Vec[], color: string, onTop: boolean): TH
   return object;
 }
 
-export function ballObject(at: Vec, radius: number, color: string): THREE.Mesh {
-  const object = new THREE.Mesh(
-    new THREE.SphereGeometry(radius, 20, 14),
-    new THREE.MeshBasicMaterial({ color, depthTest: false }),
-  );
-  object.position.set(...at);
-  object.renderOrder = 3;
-  return object;
-}
+const BEHIND_LINES = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 };
 
-export function tubeObject(points: Vec[], color: string, radius: number): THREE.Mesh {
-  const curve = new THREE.CatmullRomCurve3(points.map((p) => new THREE.Vector3(...p)));
-  const object = new THREE.Mesh(
-    new THREE.TubeGeometry(curve, points.length > 2 ? 32 : 1, radius, 8),
-    new THREE.MeshBasicMaterial({ color, depthTest: false }),
-  );
-  object.renderOrder = 3;
-  return object;
-}
-
-/** An arrow that rises towards `outward` on its way; `size` is half that of the mesh. */
-export function arcObjects(from: Vec, to: Vec, outward: Vec, size: number, color: string): { objects: THREE.Mesh[]; apex: Vec } {
-  const lift = scale(outward, 0.25 * length(sub(to, from)) + 0.06 * size);
-  const points: Vec[] = [];
-  for (let i = 0; i <= 12; ++i) {
-    const t = i / 12;
-    points.push(add(mix(from, to, t), scale(lift, 4 * t * (1 - t))));
-  }
-  const tip = new THREE.Mesh(
-    new THREE.ConeGeometry(0.03 * size, 0.09 * size, 14),
-    new THREE.MeshBasicMaterial({ color, depthTest: false }),
-  );
-  const direction = new THREE.Vector3(...unit(sub(to, points[11]!)));
-  tip.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
-  tip.position.set(...sub(to, scale(direction.toArray() as Vec, 0.04 * size)));
-  tip.renderOrder = 4;
-  return { objects: [tubeObject(points, color, 0.008 * size), tip], apex: points[6]! };
-}
-
-const OFFSET = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 2 };
-
-/** @param normals  of the vertices; null: each face is flat */
-export function surfaceObjects(surface: Surface, normals: Float32Array | null, front: string, back: string): THREE.Mesh[] {
+/**
+ * Front and back in one pass, each in its colour.
+ *
+ * @param normals  of the vertices; null: each face is flat
+ */
+export function surfaceObject(
+  surface: Surface, positions: THREE.BufferAttribute, normals: Float32Array | null, front: string, back: string,
+): THREE.Mesh {
   const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.BufferAttribute(surface.positions, 3));
-  if (normals) {
-    const corners = new Float32Array(surface.positions.length);
-    surface.corners.forEach((v, i) => {
-      for (let axis = 0; axis < 3; ++axis) corners[3 * i + axis] = normals[3 * v + axis]!;
-    });
-    geometry.setAttribute('normal', new THREE.BufferAttribute(corners, 3));
-  } else {
-    geometry.computeVertexNormals();
-  }
-  const sides = [[THREE.FrontSide, front], [THREE.BackSide, back]] as const;
-  return sides.map(([side, color]) =>
-    new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({ color, side, ...OFFSET })));
+  geometry.setAttribute('position', positions);
+  geometry.setIndex(new THREE.BufferAttribute(surface.corners, 1));
+  if (normals) geometry.setAttribute('normal', new THREE.BufferAttribute(normals, 3));
+  const material = new THREE.MeshLambertMaterial({
+    color: front, side: THREE.DoubleSide, flatShading: normals === null, ...BEHIND_LINES,
+  });
+  material.onBeforeCompile = (shader) => {
+    shader.uniforms['backColor'] = { value: new THREE.Color(back) };
+    shader.fragmentShader = `uniform vec3 backColor;\n${shader.fragmentShader}`.replace(
+      'vec4( diffuse, opacity )', 'vec4( gl_FrontFacing ? diffuse : backColor, opacity )');
+  };
+  return new THREE.Mesh(geometry, material);
 }
 
 /** Each vertex in its colour, without light: a colour means a number. */
-export function colouredObject(surface: Surface, colors: (string | null)[], none: string): THREE.Mesh {
-  const corners = new Float32Array(surface.positions.length);
+export function colouredObject(
+  surface: Surface, positions: THREE.BufferAttribute, colors: (string | null)[], none: string,
+): THREE.Mesh {
+  const values = new Float32Array(positions.array.length);
   const color = new THREE.Color();
-  surface.corners.forEach((v, i) => {
+  for (let v = 0; v < positions.count; ++v) {
     color.setStyle(colors[v] ?? none);
-    corners.set([color.r, color.g, color.b], 3 * i);
-  });
+    values.set([color.r, color.g, color.b], 3 * v);
+  }
   const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute('position', new THREE.BufferAttribute(surface.positions, 3));
-  geometry.setAttribute('color', new THREE.BufferAttribute(corners, 3));
-  return new THREE.Mesh(geometry,
-    new THREE.MeshBasicMaterial({ vertexColors: true, side: THREE.DoubleSide, ...OFFSET }));
+  geometry.setAttribute('position', positions);
+  geometry.setAttribute('color', new THREE.BufferAttribute(values, 3));
+  geometry.setIndex(new THREE.BufferAttribute(surface.corners, 1));
+  return new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
+    vertexColors: true, side: THREE.DoubleSide, ...BEHIND_LINES,
+  }));
 }

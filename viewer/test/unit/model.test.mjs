@@ -1,15 +1,8 @@
 // The page's own logic: walking a mesh whatever its pointers are, and files.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import * as esbuild from 'esbuild';
+import { load } from './load.mjs';
 
-async function load(entry) {
-  const { outputFiles } = await esbuild.build({
-    entryPoints: [new URL(`../../src/${entry}`, import.meta.url).pathname],
-    bundle: true, write: false, format: 'esm', target: 'es2022',
-  });
-  return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString('base64')}`);
-}
 const { Mesh, parseElement, parsePointer } = await load('model/mesh.ts');
 const { toObj, toGlb } = await load('model/export.ts');
 
