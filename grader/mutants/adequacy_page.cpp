@@ -38,7 +38,8 @@ constexpr const char* kLocalisation =
     "  of the first failing case must name one of the pointers that the line sets otherwise\n"
     "  than the right one. A line that sets one element in place of another gets two wrong.\n"
     "- **The function.** Counted are all killed mutants. The first exercise that loses points\n"
-    "  must be the one of the function with the mistake, not one that calls it;\n"
+    "  must be the one of the function with the mistake, not one that calls it, or a note of\n"
+    "  the caller's exercise must say that with a right one in its place more cases pass;\n"
     "  where an exercise has several functions, the first finding must name it.\n";
 
 struct Tally {
