@@ -45,28 +45,33 @@ JudgedExercise judge_second(const Assignment& assignment, const Home& home,
 }
 
 /// A function can do all that its own exercise asks, and not what its caller relies on: which
-/// of the new edges are marked is the business of both. Names the one for which a right one,
-/// standing in its place, makes more cases pass. The points stay.
+/// of the new edges are marked is the business of both. So the last of those that are needed,
+/// the one that makes new elements, is replaced by a right one; if the first failing case
+/// passes then, says so. The points stay.
 void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
                             const Submission& submission,
                             const std::vector<JudgedExercise>& needed, ExerciseRun& run) {
-  const std::size_t first_passed = passed_cases(run.judged);
-  // The one that is called first comes last: what it leaves behind is what the others meet.
-  for (auto exercise = needed.rbegin(); exercise != needed.rend(); ++exercise) {
-    const ExerciseRubric& rubric = *exercise->rubric;
-    const std::vector<StandIn> stand_in{{rubric.name, find_exercise_judge(rubric).functions}};
-    const auto changed = with_stand_ins(submission, home, stand_in);
-    if (!changed) return;
-    const Build build = build_submission(*changed, home, assignment.limits);
-    if (!has_stand_ins(build, stand_in)) continue;
-    const JudgedExercise second = judge_second(assignment, home, {*changed, build}, run);
-    if (passed_cases(second) <= first_passed) continue;
-    run.judged.notes.push_back("with a right " + rubric.name + " in place of yours, " +
-                               pass_instead_of(second, first_passed) + ": your " + rubric.name +
-                               " passes on its own, but leaves something else than this code "
-                               "relies on, such as isNew of what is new");
-    return;
-  }
+  const auto& cases = run.judged.cases;
+  const auto failed = std::find_if(cases.begin(), cases.end(), [](const JudgedCase& c) {
+    return !c.judgement.findings.empty();
+  });
+  if (failed == cases.end() || needed.empty()) return;
+  const Case& asked = run.cases[static_cast<std::size_t>(failed - cases.begin())];
+  const ExerciseRubric& rubric = *needed.back().rubric;
+  const std::vector<StandIn> stand_in{{rubric.name, find_exercise_judge(rubric).functions}};
+  const auto changed = with_stand_ins(submission, home, stand_in);
+  if (!changed) return;
+  const Build build = build_submission(*changed, home, assignment.limits);
+  if (!has_stand_ins(build, stand_in)) return;
+  const std::vector<Outcome> outcomes =
+      run_cases(build, {&asked}, assignment.limits, Company::kTogether);
+  const JudgedExercise second = judge_exercise(assignment, home, {*changed, build},
+                                               *run.judged.rubric, {asked}, outcomes);
+  if (passed_cases(second) == 0) return;
+  run.judged.notes.push_back("with a right " + rubric.name + " in place of yours, " +
+                             asked.id() + " passes: your " + rubric.name +
+                             " is right on its own, but leaves something else than this code "
+                             "relies on, such as isNew of what is new");
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ constexpr const char* kLocalisation =
     "  than the right one. A line that sets one element in place of another gets two wrong.\n"
     "- **The function.** Counted are all killed mutants. The first exercise that loses points\n"
     "  must be the one of the function with the mistake, not one that calls it, or a note of\n"
-    "  the caller's exercise must say that with a right one in its place more cases pass;\n"
+    "  the caller's exercise must say that with a right one in its place a case passes;\n"
     "  where an exercise has several functions, the first finding must name it.\n";
 
 struct Tally {

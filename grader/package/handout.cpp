@@ -9,9 +9,9 @@ std::vector<PackagePart> handout_parts() {
   std::vector<PackagePart> parts = grader_parts();
   parts.push_back({"student_skeleton", "student_skeleton"});
   parts.push_back({"docs/handout.md", "README.md"});
-  for (const char* page :
-       {"student.md", "installing.md", "rules.md", "report.md", "report.schema.json",
-        "formats.md", "dropin.md", "assignment.md", "exercises", "viewer.md", "pictures"}) {
+  for (const char* page : {"student.md", "installing.md", "rules.md", "report.md",
+                           "report.schema.json", "formats.md", "dropin.md", "assignment.md",
+                           "exercises", "viewer.md", "lopsided_cube.md", "pictures"}) {
     const std::string path = std::string("docs/") + page;
     parts.push_back({path, path});
   }

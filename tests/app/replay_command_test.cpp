@@ -1,5 +1,6 @@
 // `meshgrade replay` as a student calls it.
 
+#include <iomanip>
 #include <sstream>
 
 #include "tests/app/command_line.h"
@@ -34,7 +35,7 @@ TEST_F(ReplayCommand, IsPrintedByCheckAsACommandThatWorks) {
   std::istringstream words(check.output.substr(at + start.size(), end - at - start.size()));
   std::string case_id;
   std::string submission;
-  words >> case_id >> submission;
+  words >> case_id >> std::quoted(submission, '\'');
   const Said replay = call({"replay", case_id, submission});
   EXPECT_EQ(replay.status, 1);
   EXPECT_THAT(replay.output, HasSubstr(case_id));

@@ -14,7 +14,8 @@ commands=$build/tidy
 # source has to include what it uses.
 write_commands() {
   mkdir -p "$commands"
-  sed -e 's/ -Winvalid-pch -include [^ ]*//' "$build/compile_commands.json" |
+  # A path with a space in it stands in quotes, which JSON escapes.
+  sed -E -e 's/ -Winvalid-pch -include (\\"[^"]*"|[^ ]+)//' "$build/compile_commands.json" |
     awk -v RS='}' -v build="\"file\": \"$build/" '
       match($0, /"file": "[^"]*"/) {
         file = substr($0, RSTART, RLENGTH)

@@ -22,9 +22,9 @@ Adequacy measure(const AdequacyOptions& options) {
 
 TEST(Adequacy, ASampleOfMutantsIsKilledOrReviewed) {
   AdequacyOptions options = nothing();
-  options.mutants = 20;
+  options.mutants = 15;
   const Adequacy adequacy = measure(options);
-  EXPECT_EQ(adequacy.mutants.size(), 20U);
+  EXPECT_EQ(adequacy.mutants.size(), 15U);
   EXPECT_EQ(adequacy.unexplained, std::vector<std::string>());
   EXPECT_EQ(adequacy.grader_errors, std::vector<std::string>());
   EXPECT_GE(functions_named(adequacy).percent(), 90.0);
@@ -32,17 +32,17 @@ TEST(Adequacy, ASampleOfMutantsIsKilledOrReviewed) {
 
 TEST(Adequacy, RightVariantsHaveFullPoints) {
   AdequacyOptions options = nothing();
-  options.variants = 20;
+  options.variants = 10;
   options.seed = 7;
   const Adequacy adequacy = measure(options);
-  EXPECT_GE(adequacy.variants.drawn, 20U);
+  EXPECT_GE(adequacy.variants.drawn, 10U);
   EXPECT_EQ(adequacy.variants.refused, std::vector<std::string>());
 }
 
 TEST(Adequacy, TheSameSubmissionGivesTheSameBytesAloneAndBesideOthers) {
   AdequacyOptions options = nothing();
-  options.mutants = 6;
-  options.repeated = 3;
+  options.mutants = 3;
+  options.repeated = 2;
   options.exercise = "edge_flip";
   const Adequacy adequacy = measure(options);
   EXPECT_GT(adequacy.determinism.submissions, 0U);
