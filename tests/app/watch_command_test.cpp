@@ -2,6 +2,7 @@
 
 #include "grader/app/watch_command.h"
 
+#include "grader/app/console.h"
 #include "grader/app/file_watch.h"
 #include "tests/app/command_line.h"
 
@@ -100,7 +101,7 @@ TEST_F(WatchCommand, NamesACommandThatShowsAll) {
                        "edge_flip"};
   const ProcessResult result = run_process(command);
   EXPECT_THAT(result.output, HasSubstr("more finding"));
-  EXPECT_THAT(result.output, HasSubstr("./meshgrade check " + folder + " --verbose shows all"));
+  EXPECT_THAT(result.output, HasSubstr("./meshgrade check " + shell_word(folder) + " --verbose shows all"));
 }
 
 }  // namespace
