@@ -101,7 +101,8 @@ TEST_F(WatchCommand, NamesACommandThatShowsAll) {
                        "edge_flip"};
   const ProcessResult result = run_process(command);
   EXPECT_THAT(result.output, HasSubstr("more finding"));
-  EXPECT_THAT(result.output, HasSubstr("./meshgrade check " + shell_word(folder) + " --verbose shows all"));
+  EXPECT_THAT(result.output,
+              HasSubstr("./meshgrade check " + shell_word(folder) + " --verbose shows all"));
 }
 
 }  // namespace
