@@ -13,8 +13,6 @@
 namespace meshgrade {
 namespace {
 
-using meshedit::Vector3D;
-
 constexpr double kCaption = 30.0;
 constexpr double kLegend = 46.0;
 constexpr double kFieldOfView = 38.0;  // of the page's camera, so that both pictures agree
@@ -314,8 +312,8 @@ void draw(const SvgPen& pen, const std::vector<PicturePanel>& panels,
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const double w = width / static_cast<double>(columns);
     const double h = height / static_cast<double>(rows);
-    const Spot corner{w * static_cast<double>(i % columns),
-                      h * static_cast<double>(i / columns)};
+    const std::size_t row = i / columns;
+    const Spot corner{w * static_cast<double>(i % columns), h * static_cast<double>(row)};
     const double head = panels[i].caption.empty() ? 0.0 : kCaption;
     if (head > 0.0) {
       pen.text(corner + Spot{0.5 * w, 17.0}, panels[i].caption,
