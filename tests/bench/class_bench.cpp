@@ -1,15 +1,13 @@
 #include "tests/bench/class_bench.h"
 
 #include <algorithm>
-#include <atomic>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <thread>
 
-#include "grader/base/errors.h"
 #include "grader/base/process.h"
-#include "grader/base/safe_file.h"
+#include "tests/bench/bare_compile.h"
 
 namespace meshgrade::bench {
 namespace {
@@ -20,15 +18,6 @@ constexpr const char* kBatch = "meshgrade batch";
 constexpr const char* kBare = "bare compile";
 constexpr const char* kUsual = "CMake and GoogleTest";
 constexpr const char* kColumn = "per submission";
-
-void run_or_throw(std::vector<std::string> arguments, int most_status = 0) {
-  Command command;
-  command.arguments = std::move(arguments);
-  command.time_limit = std::chrono::hours(2);
-  const ProcessResult result = run_process(command);
-  if (result.signal != 0 || result.status > most_status)
-    throw GraderError("the benchmark's command failed: " + result.output);
-}
 
 std::string text_of(const fs::path& file) {
   std::ifstream in(file);
@@ -72,26 +61,13 @@ std::vector<fs::path> make_class(const fs::path& folder, std::size_t count) {
   return hand_ins;
 }
 
-/// Each hand-in's files go to the next free core.
-void compile_all(const std::vector<fs::path>& hand_ins, unsigned n_cores) {
+std::vector<fs::path> files_of(const std::vector<fs::path>& hand_ins) {
   std::vector<fs::path> files;
   for (const fs::path& hand_in : hand_ins) {
     for (const auto& entry : fs::directory_iterator(hand_in))
       files.push_back(entry.path());
   }
-  const ScratchFolder folder;
-  std::atomic<std::size_t> next{0};
-  std::vector<std::jthread> threads;
-  for (unsigned core = 0; core < n_cores; ++core) {
-    threads.emplace_back([&, core] {
-      const std::string object = folder.path() / (std::to_string(core) + ".o");
-      for (std::size_t k = next++; k < files.size(); k = next++) {
-        run_or_throw({MESHGRADE_COMPILER, "@" MESHGRADE_KIT_DIR "/flags.txt",
-                      "-I" MESHGRADE_SOURCE_DIR "/include", "-c", files[k].string(), "-o",
-                      object});
-      }
-    });
-  }
+  return files;
 }
 
 void grade_by_googletest(const std::vector<fs::path>& hand_ins) {
@@ -132,9 +108,10 @@ Table run_class_bench(const fs::path& program, bool quick) {
                   (results.path() / "results").string()});
   };
   const auto runs = interleave<double>(
-      quick ? 1 : 3, {per_submission(all.size(), batch),
-                      per_submission(some.size(), [&] { compile_all(some, n_cores); }),
-                      per_submission(few.size(), [&] { grade_by_googletest(few); })});
+      quick ? 1 : 3,
+      {per_submission(all.size(), batch),
+       per_submission(some.size(), [&] { compile_all(files_of(some), n_cores); }),
+       per_submission(few.size(), [&] { grade_by_googletest(few); })});
   Table table{"class",
               "a class of " + std::to_string(all.size()) + ": real seconds",
               kBare,
