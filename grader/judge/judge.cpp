@@ -140,22 +140,23 @@ void tell_limit(const Outcome& outcome, Verdict& verdict, Finding& finding) {
   }
 }
 
-/// The worker's own status may also be a student's: which of them it was, nobody can tell.
-void tell_exit(int status, Finding& finding) {
+/// The worker tells how a case ended, and says nothing more of an exit. Where it could not even
+/// tell that, there is a subject; its own status may then also be that of a student's
+/// constructor: which of them it was, nobody can know.
+void tell_exit(const Outcome& outcome, Finding& finding) {
   finding.rule = "exit";
-  if (status == kWorkerFailedStatus) {
+  if (outcome.code == kWorkerFailedStatus && !outcome.subject.empty()) {
+    finding.actual =
+        outcome.subject + ": most likely this machine had no memory or no processes left";
     finding.look_at =
         "nothing at first: run the check again. If it stays, calls of exit() in constructors "
         "of "
         "global objects";
-    finding.actual =
-        "the program ended before it called the function: most likely this machine "
-        "had no memory or no processes left";
     return;
   }
   finding.look_at = "calls of exit()";
   finding.actual =
-      "the code ended the whole program (exit status " + std::to_string(status) + ")";
+      "the code ended the whole program (exit status " + std::to_string(outcome.code) + ")";
 }
 
 /// All endings but kDone and kFault.
@@ -169,7 +170,7 @@ void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
       finding.actual = std::string("the program crashed: ") + signal_text(outcome.code);
       break;
     case Ending::kExit:
-      tell_exit(outcome.code, finding);
+      tell_exit(outcome, finding);
       break;
     case Ending::kException:
       finding.rule = "exception";

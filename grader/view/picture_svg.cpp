@@ -34,10 +34,11 @@ constexpr Theme kDark{"#171b20", "#dfe5eb", "#b4bec9", "#ff8f5a",
                       "#5d4b3a", "#2c343e", "#75859a"};
 
 /// The vertices of a face whose walk closes; empty if it does not.
-std::vector<Ref> corners_of(const MeshDump& mesh, const FaceRecord& face) {
+/// @param most  half-edges after which it does not
+std::vector<Ref> corners_of(const MeshDump& mesh, const FaceRecord& face, std::size_t most) {
   std::vector<Ref> corners;
   Ref h = face.halfedge;
-  while (h < mesh.halfedges.size() && corners.size() <= mesh.halfedges.size()) {
+  while (h < mesh.halfedges.size() && corners.size() < most) {
     const HalfedgeRecord& record = mesh.halfedges[h];
     if (record.live == 0 || record.vertex >= mesh.vertices.size()) return {};
     corners.push_back(record.vertex);
@@ -45,6 +46,16 @@ std::vector<Ref> corners_of(const MeshDump& mesh, const FaceRecord& face) {
     if (h == face.halfedge) return corners.size() >= 3 ? corners : std::vector<Ref>{};
   }
   return {};
+}
+
+/// How far to walk around each face. By how many half-edges lie in it, so that in a broken
+/// mesh, too, all walks together are linear in its size.
+std::vector<std::size_t> walk_limits(const MeshDump& mesh) {
+  std::vector<std::size_t> limits(mesh.faces.size(), 4);
+  for (const HalfedgeRecord& h : mesh.halfedges) {
+    if (h.live != 0 && h.face < limits.size()) limits[h.face] += 2;
+  }
+  return limits;
 }
 
 using Ends = std::pair<Ref, Ref>;
@@ -65,9 +76,10 @@ struct Shape {
 std::vector<Shape> shapes_of(const MeshDump& mesh) {
   std::vector<Shape> shapes;
   std::set<Ends> sides;
+  const std::vector<std::size_t> limits = walk_limits(mesh);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     if (mesh.faces[f].live == 0) continue;
-    Shape shape{corners_of(mesh, mesh.faces[f]), static_cast<Ref>(f)};
+    Shape shape{corners_of(mesh, mesh.faces[f], limits[f]), static_cast<Ref>(f)};
     for (std::size_t i = 0; i < shape.corners.size(); ++i)
       sides.insert(
           std::minmax(shape.corners[i], shape.corners[(i + 1) % shape.corners.size()]));

@@ -3,8 +3,7 @@
 // What must become of an attack. Its folder says it in expected.toml:
 //
 //   verdict = "passed"      of the exercise; a list where it depends on the machine's load
-//   which
-//                           limit comes first; "any": the points alone matter
+//                           which limit comes first; "any": the points alone matter
 //   points = 15             what the mesh deserves
 //   says = ["steal.cpp"]    texts that the report contains
 //   hides = ["root:"]       texts that it does not contain, besides BREACH and the secret

@@ -57,7 +57,9 @@ TEST(JudgeCase, EveryEndingHasItsVerdictAndRule) {
   expect(judge(id, ended(Ending::kSignal, SIGILL)), Verdict::kCrashed, "crash", "return");
   expect(judge(id, ended(Ending::kExit, 7)), Verdict::kCrashed, "exit", "status 7");
   expect(judge(id, ended(Ending::kExit, kWorkerFailedStatus)), Verdict::kCrashed, "exit",
-         "before it called the function");
+         "status 91");
+  expect(judge(id, ended(Ending::kExit, kWorkerFailedStatus, "the program ended before this")),
+         Verdict::kCrashed, "exit", "no processes left");
   expect(judge(id, ended(Ending::kException, 0, "bad thing")), Verdict::kCrashed, "exception",
          "bad thing");
   expect(judge(id, ended(Ending::kOutOfTime)), Verdict::kOutOfTime, "out-of-time", "time");
