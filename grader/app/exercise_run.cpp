@@ -19,18 +19,20 @@ constexpr std::size_t kMostExplained = 8;
 /// So many failed cases of an exercise are made smaller.
 constexpr std::size_t kMostShrunk = 3;
 
-/// Judges cases in order, the first `explained` failures among them in full.
+/// Judges cases in order; in full the first `explained` of those that failed, and as many of
+/// those that were stopped.
 std::vector<CaseJudgement> judge_all(const Assignment& assignment, const ExerciseRubric& rubric,
                                      const std::vector<const Case*>& cases,
                                      const std::vector<Outcome>& outcomes,
                                      Conventions& conventions, std::size_t explained) {
   const ExerciseJudge judge = find_exercise_judge(rubric);
   std::vector<CaseJudgement> judgements;
+  std::size_t stopped = explained;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    judgements.push_back(
-        judge_case(judge, {*cases[i], outcomes[i], rubric, assignment.tolerance, explained > 0},
-                   conventions));
-    if (judgements.back().verdict == Verdict::kFailed && explained > 0) --explained;
+    std::size_t& left = outcomes[i].ending == Ending::kDone ? explained : stopped;
+    judgements.push_back(judge_case(
+        judge, {*cases[i], outcomes[i], rubric, assignment.tolerance, left > 0}, conventions));
+    if (!judgements.back().findings.empty() && left > 0) --left;
   }
   return judgements;
 }

@@ -196,6 +196,16 @@ void judge_steps(const ExerciseJudge& judge, const JudgeTask& task, Conventions&
   }
 }
 
+/// Only a picture is lost if the state that the code was stopped in is malformed.
+void show_stop(const ExerciseJudge& judge, const JudgeTask& task, CaseJudgement& judgement) {
+  if (judge.show_stop == nullptr || !task.explain || judgement.findings.empty()) return;
+  if (task.outcome.interrupted.empty()) return;
+  try {
+    judge.show_stop(task, judgement.findings[0]);
+  } catch (const WireError&) {
+  }
+}
+
 }  // namespace
 
 const char* verdict_name(Verdict verdict) {
@@ -277,6 +287,7 @@ CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
   const bool wrong_before = !judgement.findings.empty();
   if (outcome.ending == Ending::kFault) {
     judge_fault(judge, outcome, judgement);
+    if (!wrong_before) show_stop(judge, task, judgement);
   } else if (outcome.ending != Ending::kDone) {
     judge_ending(outcome, judgement);
   }

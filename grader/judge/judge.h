@@ -40,6 +40,10 @@ struct ExerciseJudge {
                       CaseJudgement& judgement);
 
   Misconceptions misconceptions = {};  ///< all that its findings can name
+
+  /// Adds to the finding of a fault a picture of what the code had done until then; none if
+  /// there is nothing to show. @throws WireError if the interrupted state is malformed
+  void (*show_stop)(const JudgeTask& task, Finding& finding) = nullptr;
 };
 
 /// Makes sure of a claim that all steps are done. Call it when no step is wrong.

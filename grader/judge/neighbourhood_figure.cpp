@@ -25,17 +25,23 @@ std::string element_name(Kind kind, Ref ref) {
   }
 }
 
+enum class Presence { kNever, kDeleted, kLive };
+
+Presence presence(const MeshDump& mesh, Kind kind, Ref ref) {
+  const auto in = [ref](const auto& records) {
+    if (ref >= records.size()) return Presence::kNever;
+    return records[ref].live != 0 ? Presence::kLive : Presence::kDeleted;
+  };
+  if (kind == Kind::kHalfedge) return in(mesh.halfedges);
+  if (kind == Kind::kVertex) return in(mesh.vertices);
+  if (kind == Kind::kEdge) return in(mesh.edges);
+  const FaceRecord* face = find_face(mesh, ref);
+  if (face == nullptr) return Presence::kNever;
+  return face->live != 0 ? Presence::kLive : Presence::kDeleted;
+}
+
 bool exists(const MeshDump& mesh, Kind kind, Ref ref) {
-  switch (kind) {
-    case Kind::kHalfedge:
-      return ref < mesh.halfedges.size();
-    case Kind::kVertex:
-      return ref < mesh.vertices.size();
-    case Kind::kEdge:
-      return ref < mesh.edges.size();
-    default:
-      return find_face(mesh, ref) != nullptr;
-  }
+  return presence(mesh, kind, ref) == Presence::kLive;
 }
 
 std::vector<Ref> pointers_of(const MeshDump& mesh, Kind kind, Ref ref) {
@@ -281,7 +287,7 @@ class Comparison {
 
   std::string name(Kind kind, Ref ref) const {
     const Ref own = mine(kind, ref);
-    return exists(after_, kind, own) ? element_name(kind, own) : "";
+    return presence(after_, kind, own) != Presence::kNever ? element_name(kind, own) : "";
   }
 
   std::size_t place_of_mine(Kind kind, Ref own) const {
@@ -308,6 +314,15 @@ void add_surplus(Kind kind, const Records& before, const Records& after,
   }
 }
 
+std::vector<std::string> shortened(std::vector<std::string> names) {
+  constexpr std::size_t kMostNames = 12;
+  if (names.size() <= kMostNames) return names;
+  const std::size_t more = names.size() - kMostNames;
+  names.resize(kMostNames);
+  names.push_back("and " + std::to_string(more) + " more");
+  return names;
+}
+
 /// New elements that stand for no expected one.
 std::vector<std::string> surplus_names(const MeshDump& before, const MeshDump& after,
                                        const Correspondence& match) {
@@ -316,13 +331,25 @@ std::vector<std::string> surplus_names(const MeshDump& before, const MeshDump& a
   add_surplus(Kind::kVertex, before.vertices, after.vertices, match.vertices, names);
   add_surplus(Kind::kEdge, before.edges, after.edges, match.edges, names);
   add_surplus(Kind::kFace, before.faces, after.faces, match.faces, names);
-  constexpr std::size_t kMostNames = 12;
-  if (names.size() > kMostNames) {
-    const std::size_t more = names.size() - kMostNames;
-    names.resize(kMostNames);
-    names.push_back("and " + std::to_string(more) + " more");
-  }
-  return names;
+  return shortened(std::move(names));
+}
+
+/// Old elements that are gone.
+std::vector<std::string> deleted_names(const MeshDump& before, const MeshDump& after) {
+  std::vector<std::string> names;
+  const auto add = [&](Kind kind, std::size_t size, Ref bit = 0) {
+    for (Ref i = 0; i < size; ++i) {
+      if (exists(before, kind, i | bit) && !exists(after, kind, i | bit)) {
+        names.push_back(element_name(kind, i | bit));
+      }
+    }
+  };
+  add(Kind::kHalfedge, before.halfedges.size());
+  add(Kind::kVertex, before.vertices.size());
+  add(Kind::kEdge, before.edges.size());
+  add(Kind::kFace, before.faces.size());
+  add(Kind::kFace, before.boundaries.size(), kBoundaryBit);
+  return shortened(std::move(names));
 }
 
 /// A half-edge on the far side of an outer edge is shown if something about it is wrong, or a
@@ -373,15 +400,16 @@ NeighbourhoodFigure figure_of_neighbourhood(const MeshDump& before, const MeshDu
                              comparison.yours(),
                              comparison.expected(),
                              {},
-                             surplus_names(before, after, match)};
+                             surplus_names(before, after, match),
+                             deleted_names(before, after)};
   for (bool was_set : {true, false}) {
     for (const WrongCell& cell : wrong) {
       if (cell.was_set != was_set) continue;
       const std::size_t place = cast.place(cell.kind, cell.element);
-      const bool created =
-          place == kNotPictured || !figure.yours.of(cell.kind)[place].name.empty();
-      // What is not created is shown as missing; its pointers are no further news.
-      if (created) {
+      const bool is_there =
+          place == kNotPictured || !figure.yours.of(cell.kind)[place].pointers.empty();
+      // What does not exist is shown as missing; its pointers are no further news.
+      if (is_there) {
         figure.faults.push_back({cell.kind, place, cell.pointer, was_set, cell.text});
       }
     }
@@ -396,7 +424,7 @@ NeighbourhoodFigure figure_of_nothing_done(const MeshDump& before, const MeshDum
   const FigurePanel panel = own_panel(before, Cast(before, letters, edge, kUnsetRef));
   const Correspondence match = match_of_nothing_done(before, expected);
   const Cast cast(expected, letters, edge, split_vertex);
-  return {panel, panel, Comparison(before, expected, match, cast).expected(), {}, {}};
+  return {panel, panel, Comparison(before, expected, match, cast).expected(), {}, {}, {}};
 }
 
 }  // namespace meshgrade

@@ -31,7 +31,7 @@ struct FigureElement {
   std::string corners;
   bool outside = false;  ///< beyond the outer edges of the picture, or in a boundary loop
   /// Of a half-edge: next, twin, vertex, edge, face; of others: halfedge. None if the element
-  /// does not exist.
+  /// does not exist: it was not created, or deleted.
   std::vector<FigurePointer> pointers;
 };
 
@@ -59,6 +59,9 @@ struct NeighbourhoodFigure {
   FigurePanel expected;  ///< with the student's names
   std::vector<FigureFault> faults;   ///< what was set wrongly first
   std::vector<std::string> surplus;  ///< names of elements that are created but not needed
+  std::vector<std::string> deleted;  ///< names of old elements that must stay, but are gone
+
+  bool is_stopped = false;  ///< within the operation: much of `yours` was still to be done
 
   bool empty() const { return before.of(ElementKind::kVertex).empty(); }
 };

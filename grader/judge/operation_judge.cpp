@@ -48,6 +48,21 @@ std::string edge_ends(const MeshDump& mesh, Ref edge) {
   return vertex_name(h.vertex) + "-" + vertex_name(mesh.halfedges[h.twin].vertex);
 }
 
+struct RightAnswer {
+  MeshDump mesh;
+  Ref split_vertex = kUnsetRef;
+};
+
+RightAnswer right_answer(const MeshDump& before, OperationKind kind, Ref edge) {
+  RightAnswer right{before};
+  if (kind == OperationKind::kSplit) {
+    right.split_vertex = model_split(right.mesh, edge);
+  } else if (!is_boundary_edge(before, edge)) {
+    model_flip(right.mesh, edge);
+  }
+  return right;
+}
+
 /// Judges one operation, from a mesh that is right.
 class StepJudge {
  public:
@@ -65,7 +80,11 @@ class StepJudge {
         diamond_(diamond_of(before, edge_)) {}
 
   void judge() {
-    if (!keeps_old_elements()) return;
+    if (!keeps_old_elements()) {
+      const RightAnswer right = answer();
+      add_figure(right.mesh, right.split_vertex);
+      return;
+    }
     if (same_mesh(before_)) {
       judge_untouched();
     } else if (operation_.kind == OperationKind::kFlip) {
@@ -76,6 +95,8 @@ class StepJudge {
   }
 
  private:
+  RightAnswer answer() const { return right_answer(before_, operation_.kind, edge_); }
+
   void report(std::string rule, std::string meaning, std::string element, std::string expected,
               std::string actual, std::string look_at) {
     judgement_.findings.push_back(make_finding(std::move(rule), std::move(meaning), where_,
@@ -132,15 +153,9 @@ class StepJudge {
            "the mesh is the same as before",
            is_flip ? "does flipEdge return too early?" : "does splitEdge return too early?");
     if (!task_.explain) return;
-    MeshDump expected = before_;
-    Ref m = kUnsetRef;
-    if (is_flip) {
-      model_flip(expected, edge_);
-    } else {
-      m = model_split(expected, edge_);
-    }
+    const RightAnswer right = answer();
     judgement_.findings[0].pointers.figure =
-        figure_of_nothing_done(before_, expected, edge_, m);
+        figure_of_nothing_done(before_, right.mesh, edge_, right.split_vertex);
   }
 
   bool would_double() const {
@@ -153,8 +168,7 @@ class StepJudge {
       return;
     }
     const bool doubled = would_double();
-    MeshDump expected = before_;
-    model_flip(expected, edge_);
+    const MeshDump expected = answer().mesh;
     if (!keeps_rules(doubled) || !has_counts(expected) ||
         !require_surface(expected, kUnsetRef)) {
       explain(expected, kUnsetRef);
@@ -170,8 +184,7 @@ class StepJudge {
 
   void judge_split() {
     const bool may_refuse = boundary_ && task_.asked.group != "boundary_split";
-    MeshDump expected = before_;
-    const Ref m = model_split(expected, edge_);
+    const auto [expected, m] = answer();
     if (!keeps_rules(false) || !has_counts(expected) || !require_surface(expected, edge_)) {
       explain(expected, m);
       if (may_refuse) {
@@ -254,7 +267,7 @@ class StepJudge {
     judgement_.findings[0].pointers = std::move(diff);
   }
 
-  /// Shows a neighbourhood whose pointers are right, if something else is wrong.
+  /// Shows the neighbourhood, if there is something to show besides wrong pointers.
   void add_figure(const MeshDump& expected, Ref split_vertex) {
     if (!task_.explain || judgement_.findings.empty()) return;
     judgement_.findings[0].pointers.figure =
@@ -424,6 +437,17 @@ class StepJudge {
   std::optional<SurfaceMatch> match_;
 };
 }  // namespace
+
+NeighbourhoodFigure figure_of_stop(const MeshDump& before, OperationKind kind, Ref edge,
+                                   const MeshDump& stopped) {
+  const RightAnswer right = right_answer(before, kind, edge);
+  NeighbourhoodFigure figure =
+      diff_pointers(before, stopped, right.mesh, edge, right.split_vertex).figure;
+  figure.is_stopped = true;
+  // What is not set yet might have been set later.
+  std::erase_if(figure.faults, [](const FigureFault& fault) { return !fault.was_set; });
+  return figure;
+}
 
 void judge_step(const JudgeTask& task, const MeshDump& before, Operation operation,
                 const OperationStep& step, std::string where, CaseJudgement& judgement) {

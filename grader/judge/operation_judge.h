@@ -4,6 +4,7 @@
 
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/judge.h"
+#include "grader/judge/neighbourhood_figure.h"
 
 namespace meshgrade {
 
@@ -19,5 +20,10 @@ void judge_step(const JudgeTask& task, const MeshDump& before, Operation operati
 /// @throws WireError if the edge is not one of `before`
 void judge_operation(const JudgeTask& task, const MeshDump& before, OperationKind kind,
                      const OperationStep& step, CaseJudgement& judgement);
+
+/// Where the pointers led when the code was stopped within an operation on `edge`, an edge of
+/// `before`, which keeps all rules; `stopped` may be broken in any way.
+NeighbourhoodFigure figure_of_stop(const MeshDump& before, OperationKind kind, Ref edge,
+                                   const MeshDump& stopped);
 
 }  // namespace meshgrade

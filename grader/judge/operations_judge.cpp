@@ -76,4 +76,18 @@ void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
   leave_to_other_exercise(task, input, done, judgement);
 }
 
+void show_stopped_operation(const JudgeTask& task, Finding& finding) {
+  const auto input = from_wire<OperationsInput>(task.asked.input);
+  const std::vector<std::string>& steps = task.outcome.steps;
+  if (steps.size() >= input.operations.size()) return;
+  const MeshDump before =
+      steps.empty() ? first_mesh(input) : from_wire<OperationStep>(steps.back()).after;
+  const Operation& operation = input.operations[steps.size()];
+  const auto stopped = from_wire<OperationStep>(task.outcome.interrupted);
+  const Ref edge =
+      find_edge(before, live_vertex(before, operation.a), live_vertex(before, operation.b));
+  if (edge == kUnsetRef || stopped.edge != edge) throw WireError("another edge");
+  finding.pointers.figure = figure_of_stop(before, operation.kind, edge, stopped.after);
+}
+
 }  // namespace meshgrade

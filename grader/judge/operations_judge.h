@@ -10,4 +10,9 @@ namespace meshgrade {
 /// step that is wrong, since what follows starts from a wrong mesh.
 void judge_operations(const JudgeTask& task, CaseJudgement& judgement);
 
+/// Shows the neighbourhood as it was when a fault stopped the code within an operation; all
+/// operations before it are right.
+/// @throws WireError if the interrupted state is malformed
+void show_stopped_operation(const JudgeTask& task, Finding& finding);
+
 }  // namespace meshgrade

@@ -71,11 +71,14 @@ std::string figure_text(const NeighbourhoodFigure& figure) {
   if (!missing.empty()) wrong += "  " + missing + "\n";
   if (!figure.surplus.empty())
     wrong += "  created, but not needed: " + join(figure.surplus, ", ") + "\n";
+  if (!figure.deleted.empty())
+    wrong += "  deleted, but must stay: " + join(figure.deleted, ", ") + "\n";
   return "The triangles around the edge, with the corners a above, b to the left, c to the "
          "right, d below, and m for the new vertex.\n" +
          (wrong.empty() ? "" : "What is wrong:\n" + wrong) + "Before:\n" +
-         panel_text(figure.before) + "Yours:\n" + panel_text(figure.yours) + "Expected:\n" +
-         panel_text(figure.expected);
+         panel_text(figure.before) +
+         (figure.is_stopped ? "Yours, when it was stopped:\n" : "Yours:\n") +
+         panel_text(figure.yours) + "Expected:\n" + panel_text(figure.expected);
 }
 
 std::string fault_text(const SurfaceFigure& figure) {

@@ -23,13 +23,16 @@ struct PanelTitle {
 
 std::vector<PanelTitle> panel_titles(const NeighbourhoodFigure& figure) {
   const std::size_t faults = figure.faults.size();
-  const bool complete = missing_text(figure).empty();
+  const bool created = missing_text(figure).empty();
+  const bool complete = created && figure.deleted.empty();
   return {{PanelPart::kBefore, "panel before", "before", ink::kText},
           {PanelPart::kYours, "panel yours",
-           !complete     ? "yours: not all is created"
-           : faults == 0 ? "yours"
-                         : "yours: " + plural(faults, "wrong pointer"),
-           complete && faults == 0 ? ink::kText : ink::kWrong},
+           figure.is_stopped         ? "yours, when it was stopped"
+           : !created                ? "yours: not all is created"
+           : !figure.deleted.empty() ? "yours: old elements are deleted"
+           : faults == 0             ? "yours"
+                                     : "yours: " + plural(faults, "wrong pointer"),
+           complete && faults == 0 && !figure.is_stopped ? ink::kText : ink::kWrong},
           {PanelPart::kExpected, "panel expected", "expected",
            faults == 0 ? ink::kText : ink::kRight}};
 }
@@ -52,15 +55,23 @@ void list_faults(ListColumn& column, const NeighbourhoodFigure& figure) {
 
 void list_what_is_wrong(ListColumn& column, const Finding& finding) {
   const PointerDiff& diff = finding.pointers;
+  if (diff.figure.is_stopped) {
+    column.heading("Stopped within the operation: " + finding.actual);
+  }
   list_faults(column, diff.figure);
   const std::string missing = missing_text(diff.figure);
-  if (!missing.empty()) column.heading("N" + missing.substr(1));
-  if (diff.surplus > 0) {
-    column.heading("Created, but not needed: " + (diff.figure.surplus.empty()
-                                                      ? plural(diff.surplus, "element")
-                                                      : join(diff.figure.surplus, ", ")));
+  if (!missing.empty()) {
+    column.heading((diff.figure.is_stopped ? "Not yet created" : "Not created") +
+                   missing.substr(std::string("not created").size()));
   }
-  if (diff.figure.faults.empty() && missing.empty()) {
+  if (!diff.figure.surplus.empty()) {
+    column.heading("Created, but not needed: " + join(diff.figure.surplus, ", "));
+  }
+  if (!diff.figure.deleted.empty()) {
+    column.heading("Deleted, but must stay: " + join(diff.figure.deleted, ", "));
+  }
+  if (diff.figure.faults.empty() && missing.empty() && diff.figure.deleted.empty() &&
+      !diff.figure.is_stopped) {
     column.heading(finding.meaning);
     column.sentence("expected: " + finding.expected);
     column.sentence("yours: " + finding.actual);

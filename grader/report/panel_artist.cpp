@@ -69,7 +69,7 @@ class PanelArtist {
   const FigureElement& element(Kind kind, std::size_t i) const { return panel_.of(kind)[i]; }
 
   bool is_missing(Kind kind, std::size_t i) const {
-    return task_.part == PanelPart::kYours && element(kind, i).name.empty();
+    return task_.part == PanelPart::kYours && element(kind, i).pointers.empty();
   }
   bool is_new(Kind kind, std::size_t i) const {
     return task_.part == PanelPart::kExpected && element(kind, i).name.empty();
@@ -127,7 +127,11 @@ class PanelArtist {
   std::string label(Kind kind, std::size_t i) const {
     const FigureElement& e = element(kind, i);
     const bool exists = !e.name.empty();
-    const std::string what = exists ? e.name : task_.part == PanelPart::kYours ? "no" : "new";
+    const bool deleted = exists && is_missing(kind, i);
+    const std::string what = deleted                           ? "no " + e.name
+                             : exists                          ? e.name
+                             : task_.part == PanelPart::kYours ? "no"
+                                                               : "new";
     switch (kind) {
       case Kind::kHalfedge:
         return exists ? what : what + " " + e.corners;

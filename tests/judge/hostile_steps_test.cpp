@@ -55,6 +55,10 @@ void damage(Outcome& outcome, Random& random) {
   outcome.ending = static_cast<Ending>(random.below(kLastEnding + 1));
   if (random.below(2) == 0) outcome.ending = Ending::kDone;
   outcome.fault_kind = random.below(9);
+  if (outcome.ending != Ending::kFault || count == 0) return;
+  outcome.interrupted = outcome.steps.empty() ? "xyz" : outcome.steps.back();
+  if (!outcome.steps.empty()) outcome.steps.pop_back();
+  damage_numbers(outcome.interrupted, random);
 }
 
 class HostileSteps : public testing::TestWithParam<std::string> {};

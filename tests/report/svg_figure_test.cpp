@@ -1,40 +1,21 @@
-// Pictures of wrong flips, splits and subdivided meshes: what is in them, and that they can be
-// read.
+// Pictures of wrong flips and splits: what is in them, and that they can be read.
 
 #include "grader/report/svg_figure.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
-#include <pugixml.hpp>
 #include <set>
 
 #include "grader/base/random.h"
 #include "grader/report/svg_pen.h"
+#include "tests/report/figure_support.h"
 #include "tests/support/right_answers.h"
-#include "tests/support/standard_assignment.h"
 
 namespace meshgrade {
 namespace {
 
 using Kind = ElementKind;
-
-CaseReport judged(const Case& c, const std::vector<std::string>& steps) {
-  const ExerciseRubric& rubric = *standard_rubric().find(c.exercise);
-  const ExerciseJudge exercise = find_exercise_judge(rubric);
-  Outcome outcome;
-  outcome.steps = steps;
-  Conventions conventions = exercise.conventions;
-  const CaseJudgement judgement = judge_case(exercise, {c, outcome, rubric, 1e-5}, conventions);
-  CaseReport report;
-  report.id = c.id();
-  report.title = c.title;
-  report.verdict = judgement.verdict;
-  for (const Finding& finding : judgement.findings)
-    report.findings.push_back({finding, {}});
-  return report;
-}
 
 OperationStep right_step(const Case& c) {
   return from_wire<OperationStep>(right_outcome(c).steps.at(0));
@@ -96,70 +77,6 @@ std::vector<CaseReport> random_failures() {
   return reports;
 }
 
-struct Picture {
-  explicit Picture(const CaseReport& report) : text(to_svg(report, "p")) {
-    const pugi::xml_parse_result result =
-        document.load_buffer(text.data(), text.size(), pugi::parse_full);
-    EXPECT_TRUE(result) << result.description() << "\n" << text;
-    root = document.child("svg");
-  }
-
-  /// All elements whose class attribute has this word.
-  std::vector<pugi::xml_node> of_class(const std::string& word, pugi::xml_node under) const {
-    std::vector<pugi::xml_node> nodes;
-    for (const pugi::xpath_node& node : under.select_nodes(
-             (".//*[contains(concat(' ', @class, ' '), ' " + word + " ')]").c_str())) {
-      nodes.push_back(node.node());
-    }
-    return nodes;
-  }
-  pugi::xml_node panel(const std::string& name) const {
-    const auto found = of_class(name, root);
-    return found.empty() ? pugi::xml_node() : found[0];
-  }
-
-  std::string text;
-  pugi::xml_document document;
-  pugi::xml_node root;
-};
-
-std::string all_text(pugi::xml_node node) {
-  std::string text;
-  for (const pugi::xpath_node& found : node.select_nodes(".//text"))
-    text += std::string(found.node().text().get()) + "\n";
-  return text;
-}
-
-/// What a text covers, by a measure of its own: letters of the code type are 0.6 wide.
-Box letters_of(pugi::xml_node text) {
-  const double size = text.attribute("font-size").as_double();
-  const double width = 0.6 * size * static_cast<double>(std::string(text.text().get()).size());
-  const std::string anchor = text.attribute("text-anchor").as_string("start");
-  const double x = text.attribute("x").as_double() - (anchor == "middle" ? 0.5 * width
-                                                      : anchor == "end"  ? width
-                                                                         : 0.0);
-  const double y = text.attribute("y").as_double();
-  return {x, y - 0.75 * size, x + width, y + 0.15 * size};
-}
-
-std::string overlapping_labels(pugi::xml_node panel) {
-  std::vector<pugi::xml_node> texts;
-  for (const pugi::xpath_node& found : panel.select_nodes(".//text"))
-    texts.push_back(found.node());
-  std::string faults;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!overlap(letters_of(texts[i]), letters_of(texts[j]))) continue;
-      faults += std::string(texts[i].text().get()) + " at " +
-                texts[i].attribute("x").as_string() + " " +
-                texts[i].attribute("y").as_string() + " on " + texts[j].text().get() + " at " +
-                texts[j].attribute("x").as_string() + " " +
-                texts[j].attribute("y").as_string() + "\n";
-    }
-  }
-  return faults;
-}
-
 double luminance(const std::string& color) {
   const auto part = [&](std::size_t at) {
     const double c = std::stoi(color.substr(at, 2), nullptr, 16) / 255.0;
@@ -179,10 +96,6 @@ double contrast(const std::string& a, const std::string& b) {
 std::string ground_of(pugi::xml_node text) {
   const pugi::xml_node box = text.previous_sibling();
   return box.name() == std::string("rect") ? box.attribute("fill").as_string() : ink::kPaper;
-}
-
-Finding& finding_of(CaseReport& report) {
-  return report.findings.at(0).finding;
 }
 
 TEST(SvgFigure, RightAnswersHaveNone) {
@@ -392,6 +305,81 @@ TEST(SvgFigure, WhatIsNotCreatedIsShownAsMissing) {
   EXPECT_NE(all_text(picture.panel("list")).find("Not created: half-edges"), std::string::npos);
 }
 
+TEST(SvgFigure, DeletedOldElementsAreShownAsMissing) {
+  for (const Case& c : operation_cases()) {
+    OperationStep step = right_step(c);
+    const Ref h = step.after.edges[step.edge].halfedge;
+    step.after.halfedges[h] = {kUnsetRef, kUnsetRef, kUnsetRef, kUnsetRef, kUnsetRef, 0};
+    CaseReport report = judged(c, {to_wire(step)});
+    EXPECT_EQ(finding_of(report).element, halfedge_name(h));
+    const Picture picture(report);
+    const auto missing = picture.of_class("missing", picture.panel("yours"));
+    ASSERT_EQ(missing.size(), 2U) << c.id() << ": the arrow, and its name";
+    EXPECT_NE(all_text(picture.panel("yours")).find("no " + halfedge_name(h)),
+              std::string::npos);
+    EXPECT_NE(
+        all_text(picture.panel("list")).find("Deleted, but must stay: " + halfedge_name(h)),
+        std::string::npos);
+    EXPECT_NE(std::string(picture.root.child("desc").text().get())
+                  .find("deleted, but must stay: " + halfedge_name(h)),
+              std::string::npos);
+    EXPECT_EQ(overlapping_labels(picture.panel("yours")), "");
+  }
+}
+
+TEST(SvgFigure, OldEdgeWithAnotherInItsPlaceIsToldAsDeleted) {
+  const Case c = operation_cases()[0];
+  OperationStep step = right_step(c);
+  MeshDump& mesh = step.after;
+  const auto fresh = static_cast<Ref>(mesh.edges.size());
+  mesh.edges.push_back(mesh.edges[step.edge]);
+  mesh.edges[step.edge] = {kUnsetRef, 0};
+  for (HalfedgeRecord& h : mesh.halfedges)
+    if (h.edge == step.edge) h.edge = fresh;
+  const Picture picture(judged(c, {to_wire(step)}));
+  const std::string list = all_text(picture.panel("list"));
+  EXPECT_NE(list.find("Created, but not needed: " + edge_name(fresh)), std::string::npos);
+  EXPECT_NE(list.find("Deleted, but must stay: " + edge_name(step.edge)), std::string::npos);
+}
+
+TEST(SvgFigure, StoppedOperationShowsWhatWasDoneUntilThen) {
+  const Case c = operation_cases()[1];
+  OperationStep step = right_step(c);
+  const MeshDump before = dump_polygons(sample_polygons("octahedron.off"));
+  const Ref h = before.edges[step.edge].halfedge;
+  step.after = before;
+  step.after.halfedges[h].next = before.halfedges[h].twin;
+  Outcome outcome;
+  outcome.ending = Ending::kFault;
+  outcome.fault_kind = static_cast<std::uint32_t>(meshedit::FaultKind::kUnsetHandle);
+  outcome.subject = "HalfedgeIter";
+  outcome.interrupted = to_wire(step);
+  CaseReport report = judged(c, outcome);
+  EXPECT_EQ(report.verdict, Verdict::kCrashed);
+  const NeighbourhoodFigure& figure = finding_of(report).pointers.figure;
+  ASSERT_EQ(figure.faults.size(), 1U) << "what was still to be done is no fault";
+  const Picture picture(report);
+  EXPECT_NE(all_text(picture.panel("yours")).find("when it was stopped"), std::string::npos);
+  const std::string list = all_text(picture.panel("list"));
+  EXPECT_NE(list.find(halfedge_name(h) + ".next"), std::string::npos);
+  EXPECT_NE(list.find("Not yet created: half-edges"), std::string::npos);
+  EXPECT_EQ(list.find("Not changed"), std::string::npos);
+}
+
+TEST(SvgFigure, StopInAStateThatCannotBeReadHasNone) {
+  const Case c = operation_cases()[1];
+  OperationStep step = right_step(c);
+  step.edge += 1;
+  Outcome outcome;
+  outcome.ending = Ending::kFault;
+  for (const std::string& state : {std::string("xxx"), to_wire(step)}) {
+    outcome.interrupted = state;
+    const CaseReport report = judged(c, outcome);
+    EXPECT_EQ(report.verdict, Verdict::kCrashed);
+    EXPECT_EQ(to_svg(report, "p"), "");
+  }
+}
+
 TEST(SvgFigure, NothingDoneShowsWhatMustBe) {
   const Case c = operation_cases()[0];
   OperationStep step = right_step(c);
@@ -412,121 +400,6 @@ TEST(SvgFigure, MovedVertexIsMarkedByItself) {
   ASSERT_EQ(wrong.size(), 1U);
   EXPECT_EQ(std::string(wrong[0].child("text").text().get()),
             "m " + vertex_name(step.returned));
-}
-
-// ---- Loop subdivision ----------------------------------------------------------------------
-
-Case loop_case(const std::string& words) {
-  for (const Case& c : standard_cases("loop_subdivision")) {
-    if (c.title.find(words) != std::string::npos) return c;
-  }
-  throw std::out_of_range("no case with " + words);
-}
-
-TEST(SvgFigure, WrongVerticesOfLoopAreMarkedWorstFirst) {
-  const Case c = loop_case("1 level on icosahedron");
-  auto mesh = from_wire<MeshDump>(right_outcome(c).steps[0]);
-  const std::map<Ref, double> moved = {{3, 0.2}, {17, 0.4}, {20, 0.1}};
-  for (const auto& [v, by] : moved)
-    mesh.vertices[v].position[0] += by;
-  CaseReport report = judged(c, {to_wire(mesh)});
-  const std::vector<SurfaceMark>& marks = finding_of(report).surface.marks;
-  ASSERT_EQ(marks.size(), 3U);
-  EXPECT_EQ(marks[0].name, "v17");
-  EXPECT_EQ(marks[1].name, "v3");
-  EXPECT_EQ(marks[2].name, "v20");
-  const Picture picture(report);
-  EXPECT_EQ(picture.panel("yours").select_nodes(".//svg[@class='dots']/circle").size(), 3U);
-  EXPECT_EQ(picture.panel("yours").select_nodes(".//svg[@class='surface']/path").size(),
-            count(mesh).faces);
-  EXPECT_EQ(overlapping_labels(picture.panel("yours")), "");
-  for (const char* name : {"1 v17", "2 v3", "3 v20"})
-    EXPECT_NE(all_text(picture.panel("yours")).find(name), std::string::npos);
-  EXPECT_NE(all_text(picture.panel("list")).find("v17: off by"), std::string::npos);
-  EXPECT_NE(std::string(picture.root.child("desc").text().get()).find("v20: off by"),
-            std::string::npos);
-}
-
-TEST(SvgFigure, MeshThatIsFarOutsideIsDrawnWithFiniteNumbers) {
-  const Case c = loop_case("1 level on icosahedron");
-  auto mesh = from_wire<MeshDump>(right_outcome(c).steps[0]);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    mesh.vertices[v].position = {v % 2 == 0 ? 1e300 : -1e300, 1e308, 0.0};
-  const CaseReport report = judged(c, {to_wire(mesh)});
-  ASSERT_NE(pictured_finding(report), nullptr);
-  const std::string text = to_svg(report, "p");
-  for (const char* never : {"nan", "inf ", " inf", "e+"})
-    EXPECT_EQ(text.substr(text.find("</desc>")).find(std::string("=\"") + never),
-              std::string::npos);
-  const Picture picture(report);
-  for (const pugi::xpath_node& found : picture.root.select_nodes("//path")) {
-    const std::string d = found.node().attribute("d").as_string();
-    EXPECT_EQ(d.find_first_not_of("MLQZ0123456789.- "), std::string::npos) << d;
-  }
-}
-
-TEST(SvgFigure, LargeMeshIsShownAroundItsWorstVertex) {
-  const Case c = loop_case("torus.ply");
-  Outcome outcome = right_outcome(c);
-  auto mesh = from_wire<MeshDump>(outcome.steps.back());
-  const std::size_t all = count(mesh).faces;
-  mesh.vertices[5].position[1] += 1.0;
-  outcome.steps.back() = to_wire(mesh);
-  CaseReport report = judged(c, outcome.steps);
-  const SurfaceFigure& figure = finding_of(report).surface;
-  ASSERT_FALSE(figure.empty());
-  EXPECT_EQ(figure.yours.triangles.size() + figure.left_out, all);
-  EXPECT_EQ(figure.marks.at(0).name, "v5");
-  EXPECT_EQ(figure.yours.positions.at(figure.marks[0].vertex)[1], mesh.vertices[5].position[1]);
-}
-
-/// One right step with the vertices numbered as by splitting edges: first the old ones.
-MeshDump old_vertices_first(const PolygonMesh& mesh) {
-  const LoopLevel level = opensubdiv_loop(mesh, VertexRule::kWarren, CornerRule::kSmooth);
-  std::vector<Ref> number(level.mesh.positions.size());
-  for (Ref v = 0; v < level.child_of_vertex.size(); ++v)
-    number[level.child_of_vertex[v]] = v;
-  for (Ref e = 0; e < level.child_of_edge.size(); ++e)
-    number[level.child_of_edge[e]] = static_cast<Ref>(level.child_of_vertex.size()) + e;
-  MeshDump dump = dump_polygons(level.mesh);
-  std::map<Point3, Ref> by_position;
-  for (std::size_t v = 0; v < number.size(); ++v)
-    by_position[level.mesh.positions[v]] = number[v];
-  std::vector<Ref> renamed;
-  for (const VertexRecord& v : dump.vertices)
-    renamed.push_back(by_position.at(v.position));
-  std::vector<VertexRecord> vertices(renamed.size());
-  for (std::size_t v = 0; v < renamed.size(); ++v)
-    vertices[renamed[v]] = dump.vertices[v];
-  dump.vertices = std::move(vertices);
-  for (HalfedgeRecord& h : dump.halfedges)
-    h.vertex = renamed[h.vertex];
-  return dump;
-}
-
-TEST(SvgFigure, SurfaceThatIsJoinedInAnotherWayIsShownWithItsOddVertices) {
-  const Case c = loop_case("1 level on icosahedron");
-  const PolygonMesh old = from_wire<SubdivisionInput>(c.input).mesh;
-  MeshDump mesh = old_vertices_first(old);
-  ASSERT_EQ(judged(c, {to_wire(mesh)}).verdict, Verdict::kPassed);
-  // An edge between an old vertex and a new one is turned: it joins two new ones now.
-  const Ref old_vertex = 4;
-  model_flip(mesh, mesh.halfedges[mesh.vertices[old_vertex].halfedge].edge);
-  CaseReport report = judged(c, {to_wire(mesh)});
-  ASSERT_EQ(report.verdict, Verdict::kFailed);
-  const SurfaceFigure& figure = finding_of(report).surface;
-  ASSERT_EQ(figure.marks.size(), 1U);
-  EXPECT_EQ(figure.marks[0].name, vertex_name(old_vertex));
-  const Picture picture(report);
-  EXPECT_NE(all_text(picture.panel("list")).find("v4: 4 edges, must be 5"), std::string::npos);
-  EXPECT_EQ(picture.panel("expected").select_nodes(".//svg[@class='surface']/path").size(),
-            4 * old.polygons.size());
-}
-
-TEST(SvgFigure, MeshThatIsDeletedAsAWholeHasNone) {
-  const CaseReport report = judged(loop_case("1 level on icosahedron"), {to_wire(MeshDump{})});
-  EXPECT_EQ(report.verdict, Verdict::kFailed);
-  EXPECT_EQ(to_svg(report, "p"), "");
 }
 
 TEST(SvgFigure, TheSameCaseGivesTheSameBytes) {

@@ -9,7 +9,9 @@ ExerciseJudge edge_flip_judge(const ExerciseRubric& rubric) {
           {},
           [](const JudgeTask& task, Conventions& /*conventions*/, CaseJudgement& judgement) {
             judge_operations(task, judgement);
-          }};
+          },
+          {},
+          show_stopped_operation};
 }
 
 }  // namespace meshgrade

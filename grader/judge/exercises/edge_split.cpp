@@ -11,7 +11,8 @@ ExerciseJudge edge_split_judge(const ExerciseRubric& rubric) {
           [](const JudgeTask& task, Conventions& /*conventions*/, CaseJudgement& judgement) {
             judge_operations(task, judgement);
           },
-          split_misconceptions()};
+          split_misconceptions(),
+          show_stopped_operation};
 }
 
 }  // namespace meshgrade
