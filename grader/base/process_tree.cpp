@@ -2,6 +2,7 @@
 
 #include <dirent.h>
 
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -63,6 +64,26 @@ TreeUse use_of_tree(pid_t root) {
     }
   }
   return use;
+}
+
+std::size_t processes_of_user(uid_t user) {
+  std::size_t count = 0;
+  const std::unique_ptr<DIR, CloseFolder> folder(::opendir("/proc"));
+  while (const dirent* entry = folder == nullptr ? nullptr : ::readdir(folder.get())) {
+    if (std::isdigit(static_cast<unsigned char>(entry->d_name[0])) == 0) continue;
+    const File status(
+        std::fopen((std::string("/proc/") + entry->d_name + "/status").c_str(), "re"));
+    unsigned long long real = 0;
+    bool is_theirs = false;
+    std::size_t threads = 0;
+    char line[256];
+    while (status != nullptr && std::fgets(line, sizeof line, status.get()) != nullptr) {
+      if (std::sscanf(line, "Uid: %llu", &real) == 1) is_theirs = real == user;
+      std::sscanf(line, "Threads: %zu", &threads);
+    }
+    if (is_theirs) count += threads;
+  }
+  return count;
 }
 
 }  // namespace meshgrade

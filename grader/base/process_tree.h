@@ -17,4 +17,8 @@ struct TreeUse {
 /// is 0 where the system does not tell (macOS).
 TreeUse use_of_tree(pid_t root);
 
+/// All processes and threads of a user, as the system counts them for RLIMIT_NPROC; 0 where it
+/// does not tell (macOS).
+std::size_t processes_of_user(uid_t user);
+
 }  // namespace meshgrade

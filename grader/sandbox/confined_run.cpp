@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "grader/base/errors.h"
+#include "grader/base/process_tree.h"
 #include "grader/base/text.h"
 #include "grader/sandbox/lent_user.h"
 #include "grader/sandbox/system_paths.h"
@@ -97,11 +98,17 @@ class Confining {
     limit("--memory", bounds_.memory_bytes);
     limit("--file", bounds_.file_bytes);
     limit("--open-files", bounds_.open_files);
-    // The system just refuses more processes: leave room to see that there are too many.
-    if (sandbox_.counts_processes && bounds_.processes > 0) {
-      limit("--processes", bounds_.processes + kRoomForProcesses);
-    }
+    if (bounds_.processes > 0) limit("--processes", most_processes());
     return words;
+  }
+
+  /// What the system refuses to exceed. It only refuses: leave room to see that there are too
+  /// many. 0 if it does not count: it lets root have as many as they like.
+  std::uint64_t most_processes() const {
+    if (sandbox_.counts_processes) return bounds_.processes + kRoomForProcesses;
+    if (::geteuid() == 0) return 0;
+    const std::size_t others = processes_of_user(::geteuid());
+    return others == 0 ? 0 : others + bounds_.processes + kRoomForOthers;
   }
 
   Words files() const {
@@ -124,6 +131,8 @@ class Confining {
  public:
   /// Processes of the sandbox itself, with some to spare.
   static constexpr std::uint64_t kRoomForProcesses = 8;
+  /// What the user's other programs may start meanwhile, where the system counts these, too.
+  static constexpr std::uint64_t kRoomForOthers = 1000;
 
  private:
   const Sandbox& sandbox_;

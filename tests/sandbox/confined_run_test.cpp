@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -119,6 +120,41 @@ TEST_P(ConfinedRun, LimitsHold) {
   EXPECT_EQ(run("ulimit -n", bounds).output, "20\n");
   EXPECT_FALSE(run("head -c 200000000 /dev/zero | tail -c 199999999", bounds).ok());
   EXPECT_EQ(run("ulimit -c", bounds).output, "0\n");
+}
+
+/// The system's own limit, as a program sees it that an ordinary user has confined.
+std::string process_limit_of(uid_t user, const Sandbox& sandbox, const fs::path& folder) {
+  const FileDescriptor answer = make_scratch_file();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::setgid(user) != 0 || ::setuid(user) != 0) ::_exit(1);
+    Command command;
+    command.arguments = {"bash", "-c", "ulimit -u"};
+    command.folder = folder;
+    Bounds bounds;
+    bounds.compiles = true;
+    bounds.processes = 10;
+    const std::string text = run_confined(sandbox, std::move(command), bounds).output;
+    ::_exit(::write(answer.get(), text.data(), text.size()) < 0 ? 1 : 0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  char text[64] = {};
+  return ::pread(answer.get(), text, sizeof text - 1, 0) > 0 && status == 0 ? text : "";
+}
+
+TEST(ConfinedRunOfAnOrdinaryUser, ProcessesHaveALimitOfTheSystem) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become another user";
+  Sandbox sandbox = find_sandbox(MESHGRADE_KIT_DIR, MESHGRADE_COMPILER, Layer::kSameUser);
+  const ScratchFolder folder;
+  ::chmod(folder.path().c_str(), 0755);
+  // Where everybody can reach it.
+  fs::copy_file(sandbox.launcher, folder.path() / "launcher");
+  sandbox.launcher = folder.path() / "launcher";
+  const std::string limit = process_limit_of(61'234, sandbox, folder.path());
+  ASSERT_FALSE(limit.empty());
+  EXPECT_GT(std::stoul(limit), 1010U);  // who has no other program running but the test
+  EXPECT_LT(std::stoul(limit), 1020U);
 }
 
 TEST_P(ConfinedRun, ProgramThatIsNotThereIsAnErrorOfTheGrader) {
