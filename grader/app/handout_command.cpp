@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "grader/app/context.h"
-#include "grader/assignment/assignment.h"
 #include "grader/package/handout.h"
 
 namespace meshgrade {
@@ -18,7 +17,6 @@ struct HandoutOptions {
 
 int handout(const HandoutOptions& options) {
   const std::filesystem::path assignment = or_standard_assignment(options.assignment);
-  read_assignment(assignment);  // one that is wrong is said now, not on students' machines
   write_handout(source_folder(), assignment, options.output);
   std::cout << options.output << ": the students' package, without the reference.\n"
             << "Try it as a student would: cd " << options.output

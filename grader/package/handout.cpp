@@ -1,5 +1,8 @@
 #include "grader/package/handout.h"
 
+#include <optional>
+
+#include "grader/assignment/assignment.h"
 #include "grader/package/package_files.h"
 
 namespace meshgrade {
@@ -23,8 +26,9 @@ std::vector<PackagePart> handout_parts() {
 void write_handout(const std::filesystem::path& project,
                    const std::filesystem::path& assignment,
                    const std::filesystem::path& target) {
+  const std::optional<HiddenCases> hidden = read_assignment(assignment).hidden;
   make_package_folder(target);
-  copy_parts(project, handout_parts(), target);
+  copy_parts(project, handout_parts(), target, hidden ? hidden->seed_file : "");
   copy_parts("", {{assignment.string(), "grader/assignment.toml"}}, target);
 }
 

@@ -22,13 +22,18 @@ void copy_one(const fs::path& from, const fs::path& to) {
   require(to, error);
 }
 
-void copy_folder(const fs::path& from, const fs::path& to) {
+bool is_same(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return fs::equivalent(a, b, error) && !error;
+}
+
+void copy_folder(const fs::path& from, const fs::path& to, const fs::path& secret) {
   for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
     if (entry.is_symlink() || fs::exists(entry.path() / "CMakeCache.txt")) continue;
     const fs::path target = to / entry.path().filename();
     if (entry.is_directory()) {
-      copy_folder(entry.path(), target);
-    } else if (entry.is_regular_file()) {
+      copy_folder(entry.path(), target, secret);
+    } else if (entry.is_regular_file() && !is_same(entry.path(), secret)) {
       copy_one(entry.path(), target);
     }
   }
@@ -56,11 +61,11 @@ void make_package_folder(const fs::path& target) {
 }
 
 void copy_parts(const fs::path& project, const std::vector<PackagePart>& parts,
-                const fs::path& target) {
+                const fs::path& target, const fs::path& secret) {
   for (const PackagePart& part : parts) {
     const fs::path from = project / part.from;
     if (fs::is_directory(from)) {
-      copy_folder(from, target / part.to);
+      copy_folder(from, target / part.to, secret);
     } else if (fs::is_regular_file(from)) {
       copy_one(from, target / part.to);
     } else {

@@ -21,8 +21,9 @@ std::vector<PackagePart> grader_parts();
 void make_package_folder(const std::filesystem::path& target);
 
 /// Copies parts of the project. Links are left out, and so is what a build leaves behind.
+/// @param secret  a file that is left out, in whichever part it lies; empty if there is none
 /// @throws UserError if one cannot be copied
 void copy_parts(const std::filesystem::path& project, const std::vector<PackagePart>& parts,
-                const std::filesystem::path& target);
+                const std::filesystem::path& target, const std::filesystem::path& secret = {});
 
 }  // namespace meshgrade

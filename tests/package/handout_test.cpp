@@ -125,6 +125,26 @@ TEST_F(Handout, KeepsTheScriptExecutable) {
   EXPECT_NE(may_run, fs::perms::none);
 }
 
+TEST_F(Handout, LeavesTheSeedOfHiddenCasesBehindWhereverItLies) {
+  // A handout is whole enough to make a handout of; and it may be written to.
+  const fs::path project = folder_;
+  for (const std::string seed : {"grader/seed.txt", "meshes/seed.txt", "docs/pictures/seed"}) {
+    const fs::path file = project / "grader" / "hidden.toml";
+    std::ofstream(file) << read(kAssignment) << "\n[hidden]\nseed_file = \"../" << seed
+                        << "\"\n";
+    std::ofstream(project / seed) << "8205\n";
+    fs::create_directories(project / "docs");
+    fs::copy_file(kProject / "docs" / "handout.md", project / "docs" / "handout.md",
+                  fs::copy_options::overwrite_existing);
+    const fs::path target = scratch_.path() / fs::path(seed).parent_path().filename();
+    write_handout(project, file, target);
+    EXPECT_TRUE(fs::exists(target / "grader" / "judge"));
+    EXPECT_NE(read(target / "grader" / "assignment.toml").find(seed), std::string::npos);
+    EXPECT_FALSE(fs::exists(target / seed));
+    fs::remove(project / seed);
+  }
+}
+
 TEST_F(Handout, IsNotWrittenOverAFolderWithFiles) {
   try {
     write_handout(kProject, kAssignment, folder_);
