@@ -6,6 +6,7 @@ import type { StateJson } from '../model/types';
 import { marksOf } from '../panels/marks';
 import { MeshGrid, type GridCell } from '../scene/mesh_grid';
 import type { ViewOptions } from '../scene/mesh_view';
+import type { Viewpoint } from '../scene/viewpoint';
 
 /** @param compare  colour it by its distance from OpenSubdiv's answer, where that is known */
 export function levelCell(caption: string, state: StateJson, compare: boolean): GridCell {
@@ -33,6 +34,11 @@ export class LevelsCover {
 
   get shown(): boolean {
     return !this.element.hidden;
+  }
+
+  /** That of the levels; null if they are not shown. */
+  get eye(): Viewpoint | null {
+    return this.grid.eye;
   }
 
   show(levels: { label: string; state: StateJson }[], options: ViewOptions): void {

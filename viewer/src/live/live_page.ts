@@ -51,6 +51,7 @@ export class LivePage {
   constructor(app: HTMLElement, private readonly connection: Connection) {
     this.panel.top.append(el('h2', { class: 'unseen' }, 'The step'), this.banner, this.told);
     this.panel.cover.append(this.levels.element);
+    this.panel.coverEye = () => this.levels.eye;
     this.panel.onOption = () => void this.drawLevels();
     const head = el('header', { class: 'live-head' },
       el('strong', { class: 'brand' }, 'Meshgrade'), this.title, this.build, this.fileTools());

@@ -81,7 +81,7 @@ export class PatchPage {
       keyButton('Next point', 'P', () => this.editor.next(1)),
       keyButton('Undo', 'Z', () => this.editor.turnBack('undo')),
       keyButton('Redo', 'Y', () => this.editor.turnBack('redo')),
-      button('Reset', () => this.view?.reset()),
+      button('Reset', () => this.view?.eye.reset()),
       toggle('Curves at', 'K', 'iso'), this.isocurves.tools);
   }
 
@@ -108,14 +108,14 @@ export class PatchPage {
       p: () => this.editor.next(event.shiftKey ? -1 : 1),
       z: () => this.editor.turnBack(event.shiftKey ? 'redo' : 'undo'),
       y: () => this.editor.turnBack('redo'),
-      '+': () => this.view?.zoom(0.88),
-      '-': () => this.view?.zoom(1.14),
-      ArrowLeft: () => this.view?.orbit(-0.12, 0),
-      ArrowRight: () => this.view?.orbit(0.12, 0),
-      ArrowUp: () => this.view?.orbit(0, 0.12),
-      ArrowDown: () => this.view?.orbit(0, -0.12),
+      '+': () => this.view?.eye.zoom(0.88),
+      '-': () => this.view?.eye.zoom(1.14),
+      ArrowLeft: () => this.view?.eye.orbit(-0.12, 0),
+      ArrowRight: () => this.view?.eye.orbit(0.12, 0),
+      ArrowUp: () => this.view?.eye.orbit(0, 0.12),
+      ArrowDown: () => this.view?.eye.orbit(0, -0.12),
     };
-    if (!target.closest('button')) acts[' '] = () => this.view?.reset();
+    if (!target.closest('button')) acts[' '] = () => this.view?.eye.reset();
     const act = acts[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     act?.();
     return act !== undefined;

@@ -4,6 +4,7 @@ import { button, el, replace } from '../dom';
 import { kindName, nameOf, parseElement, type Element } from '../model/mesh';
 import type { Deviation } from '../model/types';
 import { MeshView, type ViewOptions } from '../scene/mesh_view';
+import type { Viewpoint } from '../scene/viewpoint';
 import { hasWebGL } from '../scene/webgl';
 import { showInspector } from './inspector';
 import { legend } from './legend';
@@ -26,6 +27,8 @@ export class MeshPanel {
   readonly top = el('div', { class: 'top' });
   /** For what the page shows in place of the mesh. */
   readonly cover = el('div', { class: 'cover' });
+  /** Where the cover is seen from; null while it is not there. */
+  coverEye: () => Viewpoint | null = () => null;
   onOption: () => void = () => {};
   states: MeshState[] = [];
 
@@ -55,7 +58,7 @@ export class MeshPanel {
     }
     const view = new MeshView(this.stage);
     view.onPick = (element) => this.select(element);
-    if (!this.alone) view.zoomOnlyWithFocus();
+    if (!this.alone) view.eye.zoomOnlyWithFocus();
     return view;
   }
 
@@ -70,7 +73,7 @@ export class MeshPanel {
       toggle.append(' ', el('kbd', {}, key));
       this.tools.append(toggle);
     }
-    const reset = button('Reset', () => view.reset(), { 'aria-keyshortcuts': 'Space' });
+    const reset = button('Reset', () => this.eye()?.reset(), { 'aria-keyshortcuts': 'Space' });
     reset.append(' ', el('kbd', {}, 'Space'));
     this.tools.append(reset);
   }
@@ -216,7 +219,7 @@ export class MeshPanel {
   private onKey(event: KeyboardEvent): void {
     const field = event.target as HTMLElement;
     if (field.closest('input, select, textarea') || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (this.handleKey(event.key, event.shiftKey, field === this.view?.canvas)) event.preventDefault();
+    if (this.handleKey(event.key, event.shiftKey, field instanceof HTMLCanvasElement)) event.preventDefault();
   }
 
   /** @returns whether the key means something here */
@@ -240,20 +243,25 @@ export class MeshPanel {
     return onCanvas && this.moveCamera(key, shift);
   }
 
+  /** Of what is shown: the mesh, or the cover. */
+  private eye(): Viewpoint | null {
+    return this.coverEye() ?? this.view?.eye ?? null;
+  }
+
   private moveCamera(key: string, shift: boolean): boolean {
-    const view = this.view;
-    if (!view) return false;
+    const eye = this.eye();
+    if (!eye) return false;
     const step: Record<string, [number, number]> = {
       ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1],
     };
     const direction = step[key];
     if (direction) {
       const [x, y] = direction;
-      if (shift) view.pan(0.05 * x, 0.05 * y);
-      else view.orbit(0.12 * x, 0.12 * y);
-    } else if (key === '+' || key === '=') view.zoom(0.88);
-    else if (key === '-') view.zoom(1.14);
-    else if (key === ' ' || key === 'Home') view.reset();
+      if (shift) eye.pan(0.05 * x, 0.05 * y);
+      else eye.orbit(0.12 * x, 0.12 * y);
+    } else if (key === '+' || key === '=') eye.zoom(0.88);
+    else if (key === '-') eye.zoom(1.14);
+    else if (key === ' ' || key === 'Home') eye.reset();
     else return false;
     return true;
   }

@@ -1,8 +1,9 @@
 // Several meshes beside each other, seen by one camera.
 
 import { el, replace } from '../dom';
-import { MeshView, type Camera, type ViewSetup } from './mesh_view';
+import { MeshView, type ViewSetup } from './mesh_view';
 import { ballOf } from './shapes';
+import type { Viewpoint } from './viewpoint';
 import type { Mesh } from '../model/mesh';
 import type { Marks, ViewOptions } from './mesh_view';
 
@@ -52,15 +53,21 @@ export class MeshGrid {
       view.resize();
       view.colorVertices(cell.colors);
       view.show(cell.mesh, cell.marks, false);
-      view.lookAtBall(ball);
-      view.onCamera = (camera) => this.follow(view, camera);
+      view.eye.lookAtBall(ball);
       return view;
     });
+    const eyes = this.views.map((view) => view.eye);
+    for (const eye of eyes) eye.leads(eyes.filter((other) => other !== eye));
   }
 
   /** Angles in degrees, the distance in radii of the first mesh. */
   lookFrom(azimuth: number, elevation: number, distance: number): void {
-    for (const view of this.views) view.lookFromAngles(azimuth, elevation, distance);
+    for (const view of this.views) view.eye.lookFromAngles(azimuth, elevation, distance);
+  }
+
+  /** The one that moves all; null if nothing is shown. */
+  get eye(): Viewpoint | null {
+    return this.views[0]?.eye ?? null;
   }
 
   renderNow(): void {
@@ -71,9 +78,5 @@ export class MeshGrid {
     for (const view of this.views) view.dispose();
     this.views = [];
     this.element.replaceChildren();
-  }
-
-  private follow(leader: MeshView, camera: Camera): void {
-    for (const view of this.views) if (view !== leader) view.setCamera(camera);
   }
 }

@@ -1,7 +1,6 @@
 // The 3D view of one mesh.
 
 import * as THREE from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { nameOf, sameElement, type Element, type Mesh } from '../model/mesh';
 import { palette, type Palette } from './colors';
 import { idLabels } from './id_labels';
@@ -13,6 +12,7 @@ import {
   surfaceOf, unit, usualEdge, type Surface, type Vec,
 } from './shapes';
 import { arcObjects, ball, colouredObject, flatTriangles, surfaceObject, tube } from './solids';
+import { Viewpoint } from './viewpoint';
 import { softwareRendered } from './webgl';
 
 /** A pointer that is wrong, or one that it should be. */
@@ -49,12 +49,6 @@ export interface ViewSetup {
   fine?: boolean;
 }
 
-/** Where the eye is and what it looks at. */
-export interface Camera {
-  position: THREE.Vector3;
-  target: THREE.Vector3;
-}
-
 /** More arcs and callouts than this hide the mesh; the lists beside it name all. */
 const MOST_CALLOUTS = 8;
 const MOST_ARROWS = 3000;
@@ -72,6 +66,7 @@ function clear(group: THREE.Group): void {
 
 export class MeshView {
   readonly canvas: HTMLCanvasElement;
+  readonly eye: Viewpoint;
   readonly options: ViewOptions = {
     ids: true, wireframe: false, smooth: false, normalLines: false, arrows: true, edges: true,
     edgeIds: false, compare: false,
@@ -81,8 +76,6 @@ export class MeshView {
   /** Curves that are seen through the surface. */
   curves: { points: Vec[]; color: keyof Palette }[] = [];
   onPick: (element: Element | null) => void = () => {};
-  /** Called when the user has moved the camera. */
-  onCamera: (camera: Camera) => void = () => {};
   /** Where the pointer is on the surface while no button is down. */
   onSurface: ((hit: SurfaceHit | null) => void) | null = null;
   /** The colours have changed: what was drawn from outside must be drawn again. */
@@ -91,9 +84,7 @@ export class MeshView {
   private readonly renderer: THREE.WebGLRenderer;
   private readonly labelCanvas = document.createElement('canvas');
   private readonly scene = new THREE.Scene();
-  private readonly camera = new THREE.PerspectiveCamera(38, 1, 0.01, 100);
   private readonly lamp = new THREE.DirectionalLight(0xffffff, 1.6);
-  private readonly controls: OrbitControls;
   private readonly content = new THREE.Group();
   /** What changes with the selection, so that a click does not make a large mesh anew. */
   private readonly overlay = new THREE.Group();
@@ -109,7 +100,6 @@ export class MeshView {
   private selected: Element | null = null;
   private labels: Label[] = [];
   private holeLabels: Label[] = [];
-  private ball = { centre: [0, 0, 0] as Vec, radius: 1 };
   private edgeLength = 0;
   private frame = 0;
   private size: [number, number] = [0, 0];
@@ -127,13 +117,12 @@ export class MeshView {
     this.labelCanvas.setAttribute('aria-hidden', 'true');
     host.replaceChildren(this.canvas, this.labelCanvas);
     this.colors = palette(host);
-    this.scene.add(this.content, this.overlay, new THREE.HemisphereLight(0xffffff, 0x9a9a9a, 1.9), this.camera);
-    this.camera.add(this.lamp);
+    this.eye = new Viewpoint(this.canvas);
+    this.eye.onMove = () => this.draw();
+    this.eye.onDrag = (on) => this.drag(on);
+    this.scene.add(this.content, this.overlay, new THREE.HemisphereLight(0xffffff, 0x9a9a9a, 1.9), this.eye.camera);
+    this.eye.camera.add(this.lamp);
     this.lamp.position.set(-0.6, 0.9, 1);
-    this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.addEventListener('change', () => this.moved());
-    this.controls.addEventListener('start', () => this.drag(true));
-    this.controls.addEventListener('end', () => this.drag(false));
     this.listenToPicks();
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(host);
@@ -146,7 +135,7 @@ export class MeshView {
     cancelAnimationFrame(this.frame);
     clear(this.content);
     clear(this.overlay);
-    this.controls.dispose();
+    this.eye.dispose();
     this.renderer.dispose();
     this.renderer.forceContextLoss();
   }
@@ -157,13 +146,6 @@ export class MeshView {
     this.onRestyle();
   };
 
-  /** The wheel zooms only while the view has the focus, so that a long page can be scrolled. */
-  zoomOnlyWithFocus(): void {
-    this.controls.enableZoom = false;
-    this.canvas.addEventListener('focus', () => (this.controls.enableZoom = true));
-    this.canvas.addEventListener('blur', () => (this.controls.enableZoom = false));
-  }
-
   /** Shows a mesh. The camera stays where it is unless `fit` asks for the whole mesh. */
   show(mesh: Mesh, marks: Marks, fit: boolean, normals: Float32Array | null = null): void {
     this.mesh = mesh;
@@ -171,10 +153,10 @@ export class MeshView {
     this.normals = normals;
     this.maker = new ArrowMaker(mesh);
     this.surface = surfaceOf(mesh);
-    this.ball = ballOf(mesh);
+    this.eye.ball = ballOf(mesh);
     this.edgeLength = usualEdge(this.surface);
     if (this.selected && !mesh.isLive(this.selected)) this.selected = null;
-    if (fit) this.reset();
+    if (fit) this.eye.reset();
     this.rebuild();
   }
 
@@ -199,82 +181,13 @@ export class MeshView {
     this.vertexColors = colors;
   }
 
-  /** Looks at this ball, not at the one around the mesh: that of another mesh beside it. */
-  lookAtBall(ball: { centre: Vec; radius: number }): void {
-    this.ball = ball;
-    this.reset();
-  }
-
-  /** Angles in degrees: 0, 0 looks from +z. The distance is in radii of the ball. */
-  lookFromAngles(azimuth: number, elevation: number, distance: number): void {
-    const radians = Math.PI / 180;
-    const up = Math.max(-89.9, Math.min(89.9, elevation)) * radians;
-    const direction: Vec = [Math.sin(azimuth * radians) * Math.cos(up), Math.sin(up), Math.cos(azimuth * radians) * Math.cos(up)];
-    this.lookFrom(direction, this.ball.centre, distance * this.ball.radius);
-  }
-
-  setCamera(camera: Camera): void {
-    this.camera.position.copy(camera.position);
-    this.controls.target.copy(camera.target);
-    this.camera.lookAt(camera.target);
-    this.draw();
-  }
-
-  private moved(): void {
-    this.draw();
-    this.onCamera({ position: this.camera.position, target: this.controls.target });
-  }
-
-  reset(): void {
-    this.lookFrom([0.55, 0.42, 0.9], this.ball.centre, this.ball.radius * 3.15);
-  }
-
   /** Turns the camera so that an element is in front. */
   turnTo(element: Element): void {
     const place = this.mesh && this.maker && placeOf(this.mesh, this.maker, element);
     if (!place) return;
-    const outward = length(place.normal) > 0 ? place.normal : unit(sub(place.centre, this.ball.centre));
+    const outward = length(place.normal) > 0 ? place.normal : unit(sub(place.centre, this.eye.ball.centre));
     const tilted = unit(add(outward, scale([0.25, 0.35, 0.2], 0.8)));
-    this.lookFrom(tilted, mix(this.ball.centre, place.centre, 0.3), this.ball.radius * 3.1);
-  }
-
-  orbit(right: number, up: number): void {
-    const spherical = new THREE.Spherical().setFromVector3(
-      this.camera.position.clone().sub(this.controls.target),
-    );
-    spherical.theta += right;
-    spherical.phi = Math.min(Math.PI - 0.01, Math.max(0.01, spherical.phi - up));
-    this.camera.position.setFromSpherical(spherical).add(this.controls.target);
-    this.controls.update();
-    this.draw();
-  }
-
-  zoom(factor: number): void {
-    const offset = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
-    this.camera.position.copy(this.controls.target).add(offset);
-    this.controls.update();
-    this.draw();
-  }
-
-  pan(right: number, up: number): void {
-    const reach = this.camera.position.distanceTo(this.controls.target);
-    const shift = new THREE.Vector3(right * reach, up * reach, 0).applyQuaternion(this.camera.quaternion);
-    this.camera.position.add(shift);
-    this.controls.target.add(shift);
-    this.controls.update();
-    this.draw();
-  }
-
-  private lookFrom(direction: Vec, target: Vec, distance: number): void {
-    // A narrow view needs to be further away.
-    const far = distance * Math.max(1, 1 / (this.camera.aspect || 1));
-    this.controls.target.set(...target);
-    this.camera.position.set(...add(target, scale(unit(direction), far)));
-    this.camera.near = this.ball.radius / 200;
-    this.camera.far = this.ball.radius * 60;
-    this.camera.updateProjectionMatrix();
-    this.controls.update();
-    this.draw();
+    this.eye.lookFrom(tilted, mix(this.eye.ball.centre, place.centre, 0.3), this.eye.ball.radius * 3.1);
   }
 
   /** Takes the size of its place in the page. */
@@ -289,10 +202,7 @@ export class MeshView {
     const ratio = Math.min(2, window.devicePixelRatio);
     this.labelCanvas.width = clientWidth * ratio;
     this.labelCanvas.height = clientHeight * ratio;
-    const before = this.camera.aspect;
-    this.camera.aspect = clientWidth / clientHeight;
-    this.camera.updateProjectionMatrix();
-    if (before === 1) this.reset();
+    this.eye.setAspect(clientWidth / clientHeight);
     this.draw();
   }
 
@@ -319,9 +229,9 @@ export class MeshView {
 
   /** The length of a usual edge in the part of the mesh that is near. */
   private edgePixels(): number {
-    const { centre, radius } = this.ball;
-    const far = Math.max(this.camera.near, length(sub(this.camera.position.toArray(), centre)) - 0.5 * radius);
-    const half = Math.tan(THREE.MathUtils.degToRad(this.camera.fov / 2));
+    const { centre, radius } = this.eye.ball;
+    const far = Math.max(this.eye.camera.near, length(sub(this.eye.camera.position.toArray(), centre)) - 0.5 * radius);
+    const half = Math.tan(THREE.MathUtils.degToRad(this.eye.camera.fov / 2));
     return (this.edgeLength / (2 * far * half)) * this.host.clientHeight;
   }
 
@@ -332,10 +242,10 @@ export class MeshView {
 
   renderNow(): void {
     this.showDetail();
-    this.renderer.render(this.scene, this.camera);
-    this.camera.updateMatrixWorld();
+    this.renderer.render(this.scene, this.eye.camera);
+    this.eye.camera.updateMatrixWorld();
     drawLabels(this.labelCanvas, this.dragging && this.labels.length > 200 ? [] : this.labels,
-      this.camera, this.colors);
+      this.eye.camera, this.colors);
   }
 
   private listenToPicks(): void {
@@ -343,18 +253,18 @@ export class MeshView {
     this.canvas.addEventListener('pointerdown', (event) => (down = [event.clientX, event.clientY]));
     this.canvas.addEventListener('pointerup', (event) => {
       if (Math.hypot(event.clientX - down[0]!, event.clientY - down[1]!) > 4) return;
-      const ray = rayAt(event, this.canvas, this.camera);
+      const ray = rayAt(event, this.canvas, this.eye.camera);
       if (this.mesh && this.surface) this.onPick(pick(this.mesh, this.surface, ray));
     });
     this.canvas.addEventListener('pointermove', (event) => {
       if (!this.onSurface || !this.surface || event.buttons !== 0) return;
-      this.onSurface(hitSurface(this.surface, rayAt(event, this.canvas, this.camera)));
+      this.onSurface(hitSurface(this.surface, rayAt(event, this.canvas, this.eye.camera)));
     });
   }
 
   /** Points that can be dragged in this view. */
   addHandles(): Handles {
-    const handles = new Handles({ canvas: this.canvas, camera: this.camera, draw: () => this.draw() });
+    const handles = new Handles({ canvas: this.canvas, camera: this.eye.camera, draw: () => this.draw() });
     this.scene.add(handles.group);
     return handles;
   }
@@ -387,7 +297,7 @@ export class MeshView {
     this.addArcs();
     this.addWorst();
     for (const { points, color } of this.curves) {
-      if (points.length > 1) this.overlay.add(tube(points, 0.006 * this.ball.radius, this.colors[color]));
+      if (points.length > 1) this.overlay.add(tube(points, 0.006 * this.eye.ball.radius, this.colors[color]));
     }
     if (this.options.ids) this.labels.unshift(...idLabels(this.mesh, this.maker!, this.idKinds(), this.selected));
     this.draw();
@@ -401,7 +311,7 @@ export class MeshView {
   private addWorst(): void {
     for (const index of this.marks.vertices ?? []) {
       const at = this.mesh!.position(index);
-      this.overlay.add(ball(at, this.ball.radius * 0.02, this.colors.wrong));
+      this.overlay.add(ball(at, this.eye.ball.radius * 0.02, this.colors.wrong));
       this.labels.push({ text: nameOf({ kind: 'v', index }), at, normal: [0, 0, 0], style: 'wrong' });
     }
   }
@@ -481,12 +391,12 @@ export class MeshView {
       this.addTriangles(this.arrowOf(mesh.next(element.index), 1.6), next, true);
       this.addTriangles(this.arrowOf(element.index, 1.9), selected, true);
     } else if (element.kind === 'v') {
-      this.overlay.add(ball(mesh.position(element.index), this.ball.radius * 0.03, selected));
+      this.overlay.add(ball(mesh.position(element.index), this.eye.ball.radius * 0.03, selected));
     } else if (element.kind === 'e') {
       const h = mesh.halfedge(element);
       const [a, b] = [mesh.vertex(h), mesh.end(h)];
       if (a >= 0 && b >= 0) {
-        this.overlay.add(tube([mesh.position(a), mesh.position(b)], 0.009 * this.ball.radius, selected));
+        this.overlay.add(tube([mesh.position(a), mesh.position(b)], 0.009 * this.eye.ball.radius, selected));
       }
     } else {
       for (const h of mesh.walk(element).halfedges) {
@@ -503,10 +413,10 @@ export class MeshView {
       if (arc.element.kind === 'h') {
         this.addTriangles(this.arrowOf(arc.element.index, 1.6), this.colors.wrong, true);
       }
-      const outward = unit(sub(from.centre, this.ball.centre));
+      const outward = unit(sub(from.centre, this.eye.ball.centre));
       const to = arc.target && placeOf(this.mesh!, this.maker!, arc.target);
-      const end: Vec = to ? to.centre : add(from.centre, scale(outward, 0.5 * this.ball.radius));
-      const { objects, apex } = arcObjects(from.centre, end, outward, this.ball.radius, this.colors.wrong);
+      const end: Vec = to ? to.centre : add(from.centre, scale(outward, 0.5 * this.eye.ball.radius));
+      const { objects, apex } = arcObjects(from.centre, end, outward, this.eye.ball.radius, this.colors.wrong);
       this.overlay.add(...objects);
       this.labels.push({ text: arc.text, at: to ? apex : end, normal: [0, 0, 0], style: 'wrong' });
     }
@@ -520,7 +430,7 @@ export class MeshView {
       const at = this.mesh!.position(v);
       const normal = [0, 1, 2].map((axis) => this.normals![3 * v + axis]!) as Vec;
       if (!normal.every(Number.isFinite)) continue;
-      points.push(...at, ...add(at, scale(normal, 0.15 * this.ball.radius)));
+      points.push(...at, ...add(at, scale(normal, 0.15 * this.eye.ball.radius)));
     }
     this.addLines(new THREE.BufferAttribute(Float32Array.from(points), 3), this.colors.twin);
   }

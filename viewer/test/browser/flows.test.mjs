@@ -147,6 +147,17 @@ test('Levels stand beside each other and follow the steps', async () => {
   const captions = await page.locator('.mesh-grid figcaption').allTextContents();
   assert.deepEqual(captions, ['level 0: 8 vertices', 'level 1: 26 vertices', 'level 2: 98 vertices']);
   await snap(page, 'viewer_levels');
+  const pictures = () => page.$$eval('.mesh-grid canvas:not(.labels)', (all) => all.map((c) => c.toDataURL()));
+  const first = await pictures();
+  await page.locator('.mesh-grid canvas:not(.labels)').last().focus();
+  await page.keyboard.press('ArrowRight');
+  await page.waitForTimeout(300);
+  const turned = await pictures();
+  assert.ok(turned.every((picture, i) => picture !== first[i]), 'the arrow key turns all levels');
+  await page.keyboard.press(' ');
+  await page.waitForTimeout(300);
+  assert.deepEqual((await pictures()).map((picture, i) => picture === first[i]), [true, true, true],
+    'Space shows them as at first');
   assert.deepEqual(await accessibilityProblems(page), []);
   await page.keyboard.press('v');
   assert.equal(await page.locator('.mesh-grid figcaption').count(), 0);
