@@ -62,15 +62,17 @@ std::vector<std::string> export_names() {
   return names;
 }
 
-void note_missing(const ClassResults& results,
-                  const std::function<bool(const ClassRow&)>& was_found,
-                  const std::string& in_words, std::vector<std::string>& notes) {
+void note_exceptions(const ClassResults& results,
+                     const std::function<bool(const ClassRow&)>& was_found,
+                     const std::string& in_words, std::vector<std::string>& notes) {
   for (const ClassRow& row : results.rows) {
     if (!was_found(row)) {
       notes.push_back(row.key + " is not in the " + in_words + ": no grade is written");
     } else if (!row.has_points()) {
       notes.push_back(row.key + " has no grade (" + status_name(row.status) +
                       "): none is written to the " + in_words);
+    } else if (row.status == ResultStatus::kUngradable) {
+      notes.push_back(row.key + " gets 0 points (ungradable: " + row.reason + ")");
     }
   }
 }

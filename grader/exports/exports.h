@@ -62,10 +62,11 @@ std::vector<std::string> export_names();
 std::string points_to_enter(const ClassRow& row, const ClassResults& results,
                             const ExportOptions& options);
 
-/// Notes whose grade is not written: those whom the gradebook does not know, and those who have
-/// none. `in_words` is what the file is called: "gradebook".
-void note_missing(const ClassResults& results,
-                  const std::function<bool(const ClassRow&)>& was_found,
-                  const std::string& in_words, std::vector<std::string>& notes);
+/// Notes whose grade is not written, since the gradebook does not know them or they have none,
+/// and who has 0 points for what is ungradable. `in_words` is what the file is called:
+/// "gradebook".
+void note_exceptions(const ClassResults& results,
+                     const std::function<bool(const ClassRow&)>& was_found,
+                     const std::string& in_words, std::vector<std::string>& notes);
 
 }  // namespace meshgrade

@@ -59,7 +59,7 @@ std::string last_words(const std::string& output) {
 std::filesystem::path find_browser() {
   for (const char* name :
        {"chromium", "chromium-browser", "google-chrome", "google-chrome-stable"}) {
-    const std::filesystem::path found = find_program(name);
+    std::filesystem::path found = find_program(name);
     if (!found.empty()) return found;
   }
   return {};

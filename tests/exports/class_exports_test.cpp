@@ -40,6 +40,7 @@ ClassResults made_up_class() {
   broken.reason = "=its, \"process\"\ndied";
   ClassRow empty = row_of("dan", {{"105", "Dan", ""}}, 0.0);
   empty.status = ResultStatus::kUngradable;
+  empty.reason = "no sources";
   results.rows.push_back(broken);
   results.rows.push_back(empty);
   return results;
@@ -113,8 +114,9 @@ TEST(CanvasExport, FillsOneColumnOfTheGradebook) {
                           ElementsAre("Oz, Cem", "104", "u4", "cem", "S1", ""),
                           ElementsAre("Dor, Dan", "999", "u5", "105", "S1", "0"),
                           ElementsAre("Way, A", "998", "u9", "away", "S1", "")));
-  EXPECT_THAT(exported.notes, ElementsAre("cem has no grade (grader error): none is written to "
-                                          "the gradebook"));
+  EXPECT_THAT(exported.notes,
+              ElementsAre("cem has no grade (grader error): none is written to the gradebook",
+                          "dan gets 0 points (ungradable: no sources)"));
 }
 
 TEST(CanvasExport, TheColumnIsFoundByTitleOrNumberOrAsked) {

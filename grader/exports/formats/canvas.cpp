@@ -110,7 +110,7 @@ class GradebookFilling {
           separator));
       exported_.text += csv_line(fields, separator);
     }
-    note_missing(
+    note_exceptions(
         results_, [&](const ClassRow& row) { return rows_.was_used(row); }, "gradebook",
         exported_.notes);
     return std::move(exported_);

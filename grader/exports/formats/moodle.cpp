@@ -67,7 +67,7 @@ class WorksheetFilling {
       done = record[grade_].end;
     }
     exported_.text += sheet_.substr(done);
-    note_missing(
+    note_exceptions(
         results_, [&](const ClassRow& row) { return used_.count(&row) != 0; }, "worksheet",
         exported_.notes);
     return std::move(exported_);
