@@ -3,13 +3,13 @@
 import { button, el, keyButton, replace, type Child } from '../dom';
 import { saveFile, toGlb, toObj } from '../model/export';
 import { Mesh } from '../model/mesh';
-import { findingBlock, pointerTables } from '../panels/case_card';
+import { findingBlock } from '../panels/case_card';
 import type { MeshState } from '../panels/marks';
 import { MeshPanel } from '../panels/mesh_panel';
 import { toneOf, verdictTag } from '../panels/verdict';
 import type { Connection, LiveState, StepKind } from './connection';
 import { LevelsCover } from './levels';
-import { buildTag, compilerBanner, output } from './shell';
+import { buildTag, compilerBanner, output, verdict } from './shell';
 
 const PLAIN = { broken: [], changes: [], wrong: [] };
 
@@ -246,10 +246,15 @@ export class LivePage {
     this.drawBuild(live);
     this.drawTimeline(live);
     replace(this.banner, ...stoppedBanner(live));
-    replace(this.told, ...toldOf(live));
+    replace(this.told, ...this.verdictOf(live));
     const { states, current } = statesOf(live);
     this.panel.show(states, current, fit);
     void this.drawLevels();
+  }
+
+  private verdictOf(live: LiveState): Child[] {
+    const { told, step } = live.state;
+    return told && !live.stopped ? verdict(told, step ?? '') : [];
   }
 
   private drawBuild(live: LiveState): void {
@@ -286,25 +291,4 @@ function stoppedBanner(live: LiveState): Child[] {
       el('p', { class: 'quiet' }, 'The mesh before is kept. Save a change, and this step is tried again.')));
   }
   return parts;
-}
-
-function toldOf(live: LiveState): Child[] {
-  const { told, step } = live.state;
-  if (!told || live.stopped) return [];
-  const [first, ...others] = told.findings;
-  const pointers = told.findings.find((f) => f.pointers)?.pointers;
-  return [
-    el('h3', {}, verdictTag(told.verdict), ` ${step ?? ''}`),
-    told.note !== '' && el('p', { class: 'note' }, told.note),
-    first && findingBlock(first, true),
-    pointers && foldedTables(pointerTables(pointers)),
-    others.length > 0 && el('details', {}, el('summary', {}, `${others.length} more findings`),
-      ...others.map((f) => findingBlock(f, false))),
-    output(told.output),
-  ];
-}
-
-function foldedTables(tables: HTMLElement): HTMLElement {
-  tables.removeAttribute('open');
-  return tables;
 }

@@ -2,7 +2,7 @@
 
 import { el, replace, type Child } from '../dom';
 import type { Case } from '../model/types';
-import { findingBlock } from '../panels/case_card';
+import { findingBlock, pointerTables } from '../panels/case_card';
 import { verdictTag } from '../panels/verdict';
 import type { Connection, LiveState } from './connection';
 
@@ -14,14 +14,22 @@ export function output(text: string): Child {
 /** What the judge says of the code, folded but for the first finding. */
 export function verdict(told: Case, title: string): Child[] {
   const [first, ...others] = told.findings;
+  const pointers = told.findings.find((f) => f.pointers)?.pointers;
   return [
     el('h3', {}, verdictTag(told.verdict), ` ${title}`),
     told.note !== '' && el('p', { class: 'note' }, told.note),
     first && findingBlock(first, true),
-    others.length > 0 && el('details', {}, el('summary', {}, `${others.length} more findings`),
+    pointers && foldedTables(pointerTables(pointers)),
+    others.length > 0 && el('details', {},
+      el('summary', {}, others.length === 1 ? '1 more finding' : `${others.length} more findings`),
       ...others.map((f) => findingBlock(f, false))),
     output(told.output),
   ];
+}
+
+function foldedTables(tables: HTMLElement): HTMLElement {
+  tables.removeAttribute('open');
+  return tables;
 }
 
 /** The messages of the compiler, if it had any. */
