@@ -7,6 +7,7 @@ namespace meshgrade {
 
 /// Writes a whole file, or nothing: to a temporary name first, which is brought to the disk and
 /// then renamed. Whoever reads the file, even after a power cut, finds the old or the new text.
+/// Links are followed; a pipe or a device, such as /dev/stdout, is just written to.
 /// @throws UserError if it cannot be written
 void write_file_safely(const std::filesystem::path& file, const std::string& text);
 

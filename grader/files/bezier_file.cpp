@@ -3,6 +3,7 @@
 #include <charconv>
 #include <string>
 
+#include "grader/base/safe_file.h"
 #include "grader/files/file_bytes.h"
 #include "grader/files/text_scanner.h"
 
@@ -94,7 +95,7 @@ void write_bez(const std::filesystem::path& file, const std::vector<ControlNet>&
       }
     }
   }
-  write_bytes(file, text);
+  write_file_safely(file, text);
 }
 
 std::vector<Point2> read_bzc(const std::filesystem::path& file) {
@@ -122,7 +123,7 @@ void write_bzc(const std::filesystem::path& file, const std::vector<Point2>& poi
     append_point(text, point);
     text += '\n';
   }
-  write_bytes(file, text);
+  write_file_safely(file, text);
 }
 
 }  // namespace meshgrade

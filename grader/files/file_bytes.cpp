@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <random>
 #include <system_error>
 
 #include "grader/base/errors.h"
@@ -39,23 +38,6 @@ std::string read_bytes(const std::filesystem::path& file) {
     refuse_file(file, "", "cannot be read; check its permissions");
   }
   return bytes;
-}
-
-void write_bytes(const std::filesystem::path& file, std::string_view bytes) {
-  const std::filesystem::path temporary =
-      file.string() + "." + std::to_string(std::random_device{}()) + ".part";
-  std::ofstream stream(temporary, std::ios::binary);
-  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(temporary, file, error);
-  if (!stream || error) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    refuse_file(file, "",
-                "cannot be written; check that the folder exists and has room" +
-                    (error ? " (" + error.message() + ")" : ""));
-  }
 }
 
 std::string lower_extension(const std::filesystem::path& file) {

@@ -17,10 +17,6 @@ namespace meshgrade {
 /// readable or larger than 2 GiB.
 std::string read_bytes(const std::filesystem::path& file);
 
-/// Writes under a temporary name in the same folder and renames, so that no half-written file
-/// is ever left under the asked name. Throws UserError if that is not possible.
-void write_bytes(const std::filesystem::path& file, std::string_view bytes);
-
 /// The extension in lower case, with its dot: ".obj".
 std::string lower_extension(const std::filesystem::path& file);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "grader/base/safe_file.h"
 #include "grader/files/checked_input.h"
 #include "grader/files/collada_file.h"
 #include "grader/files/file_bytes.h"
@@ -122,7 +123,7 @@ LoadedMesh read_mesh(const std::filesystem::path& file) {
 void write_mesh(const std::filesystem::path& file, const PolygonMesh& mesh) {
   const Format& format = format_of(file);
   check_for_writing(file, mesh, format);
-  write_bytes(file, format.write(mesh));
+  write_file_safely(file, format.write(mesh));
 }
 
 void require_mesh_format(const std::filesystem::path& file) {

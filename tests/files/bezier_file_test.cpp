@@ -5,12 +5,12 @@
 #include <functional>
 #include <map>
 
-#include "tests/files/scratch_folder.h"
+#include "tests/files/files_test.h"
 
 namespace meshgrade {
 namespace {
 
-using BezierFile = ScratchFolder;
+using BezierFile = FilesTest;
 
 const std::string kMeshes = MESHGRADE_SOURCE_DIR "/meshes/";
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "grader/files/bezier_file.h"
-#include "tests/files/scratch_folder.h"
+#include "tests/files/files_test.h"
 
 namespace meshgrade {
 namespace {

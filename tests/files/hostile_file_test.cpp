@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "grader/files/bezier_file.h"
-#include "tests/files/scratch_folder.h"
+#include "tests/files/files_test.h"
 
 namespace meshgrade {
 namespace {
@@ -18,7 +18,7 @@ std::string bytes_of(const std::filesystem::path& file) {
   return bytes.str();
 }
 
-class HostileFile : public ScratchFolder {
+class HostileFile : public FilesTest {
  protected:
   void read_anything(const std::string& extension, const std::string& bytes) {
     const auto file = write("mutant" + extension, bytes);

@@ -4,12 +4,12 @@
 #include <cstring>
 #include <limits>
 
-#include "tests/files/scratch_folder.h"
+#include "tests/files/files_test.h"
 
 namespace meshgrade {
 namespace {
 
-using MeshFile = ScratchFolder;
+using MeshFile = FilesTest;
 
 const std::string kMeshes = MESHGRADE_SOURCE_DIR "/meshes/";
 
@@ -157,7 +157,7 @@ TEST_F(MeshFile, WritingLeavesNothingHalfDone) {
   PolygonMesh infinite = quads;
   infinite.positions[3][1] = std::numeric_limits<double>::infinity();
   EXPECT_THROW(write_mesh(path("cube.obj"), infinite), UserError);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
   EXPECT_EQ(std::filesystem::file_size(path("cube.stl")), 8U);
 }
 

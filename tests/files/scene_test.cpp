@@ -4,7 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "tests/files/scratch_folder.h"
+#include "tests/files/files_test.h"
 
 namespace meshgrade {
 namespace {
@@ -20,7 +20,7 @@ void expect_positions(const PolygonMesh& mesh, const std::vector<Point3>& expect
   }
 }
 
-class GltfScene : public ScratchFolder {
+class GltfScene : public FilesTest {
  protected:
   /// The triangle (0 0 0), (1 0 0), (0 1 0), then a fourth point (0 0 1), as floats; then the
   /// indices 0 1 2 0 2 3 as bytes; then a sparse replacement: index 1 becomes (5 0 0);
@@ -152,7 +152,7 @@ TEST_F(GltfScene, DeepNestingIsRefusedBeforeItIsWalked) {
   EXPECT_NE(fault_of(write("deep.gltf", text)).find("nested too deeply"), std::string::npos);
 }
 
-class ColladaScene : public ScratchFolder {
+class ColladaScene : public FilesTest {
  protected:
   /// Two geometries, `triangle` and `square`, and whatever is given for asset and scene.
   PolygonMesh read(const std::string& nodes, const std::string& up = "Y_UP") const {

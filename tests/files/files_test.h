@@ -8,23 +8,15 @@
 #include <string_view>
 
 #include "grader/base/errors.h"
+#include "grader/base/process.h"
 #include "grader/files/mesh_file.h"
 
 namespace meshgrade {
 
 /// A test with a folder of its own, which is gone afterwards.
-class ScratchFolder : public testing::Test {
+class FilesTest : public testing::Test {
  protected:
-  ScratchFolder() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("meshgrade_") + test->test_suite_name() + "_" + test->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  ~ScratchFolder() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
 
   std::filesystem::path write(const std::string& name, std::string_view bytes) const {
     std::ofstream(path(name), std::ios::binary)
@@ -32,7 +24,7 @@ class ScratchFolder : public testing::Test {
     return path(name);
   }
 
-  std::filesystem::path folder_;
+  ScratchFolder folder_;
 };
 
 /// What reading says about a broken file, without the folder; empty if it is taken.
