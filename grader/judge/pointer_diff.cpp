@@ -15,6 +15,11 @@ struct HalfedgePointer {
   Ref HalfedgeRecord::*member;
 };
 
+/// Whether the code led a pointer elsewhere. One whose element was deleted still leads there.
+bool was_changed(Ref was, Ref have) {
+  return have != was && have != (was | kDeletedBit);
+}
+
 class Differ {
  public:
   Differ(const MeshDump& before, const MeshDump& after, const MeshDump& expected, Ref edge,
@@ -185,7 +190,7 @@ class Differ {
                           const std::string& have_text, const std::string& want_text) {
       const bool wrong = !exists || want_ref == kUnsetRef || have_ref != want_ref;
       add_cell(row, h, {old ? was_text : "", exists ? have_text : "", want_text, wrong},
-               exists && have_ref != was_ref);
+               exists && was_changed(was_ref, have_ref));
     };
     const Ref next = match_.halfedges[want.next];
     cell(was.next, have.next, next, old_halfedge_text(was.next), halfedge_text(have.next),
@@ -235,7 +240,7 @@ class Differ {
     add_cell(row, ref,
              {old ? old_halfedge_text(was) : "", exists ? halfedge_text(have) : "",
               right ? halfedge_text(have) : join(choices, " or ") + more, !right},
-             exists && have != was);
+             exists && was_changed(was, have));
     keep_row(std::move(row), near);
   }
 

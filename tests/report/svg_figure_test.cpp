@@ -327,6 +327,20 @@ TEST(SvgFigure, DeletedOldElementsAreShownAsMissing) {
   }
 }
 
+TEST(SvgFigure, PointerToWhatWasDeletedIsNotToldAsSet) {
+  const Case c = operation_cases()[0];
+  OperationStep step = right_step(c);
+  const Ref h = step.after.edges[step.edge].halfedge;
+  const Ref twin = step.after.halfedges[h].twin;
+  step.after.halfedges[h] = {kUnsetRef, kUnsetRef, kUnsetRef, kUnsetRef, kUnsetRef, 0};
+  step.after.halfedges[twin].twin = h | kDeletedBit;
+  CaseReport report = judged(c, {to_wire(step)});
+  std::string words;
+  for (const FigureFault& fault : finding_of(report).pointers.figure.faults)
+    if (!fault.was_set) words += fault.text + "\n";
+  EXPECT_NE(words.find(halfedge_name(twin) + ".twin must be"), std::string::npos) << words;
+}
+
 TEST(SvgFigure, OldEdgeWithAnotherInItsPlaceIsToldAsDeleted) {
   const Case c = operation_cases()[0];
   OperationStep step = right_step(c);
