@@ -127,9 +127,9 @@ TEST_F(BatchCommand, AnInterruptStopsItAndItGoesOn) {
   Command command;
   // Once somebody is graded: a build with sanitizers takes seconds to begin.
   const std::string script =
-      "\"$@\" & batch=$!; for i in $(seq 600); do [ -e \"$0/.tmp\" ] && break; sleep 0.1; "
-      "done; "
-      "sleep 1; kill -INT $batch; wait $batch";
+      "\"$@\" & batch=$!; "
+      "for i in $(seq 600); do [ -e \"$0/results/ann\" ] && break; sleep 0.1; done; "
+      "kill -INT $batch; wait $batch";
   command.arguments = {"bash",
                        "-c",
                        script,
