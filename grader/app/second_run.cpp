@@ -74,6 +74,21 @@ void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
                              "relies on, such as isNew of what is new");
 }
 
+/// What to say of an exercise that is not all right.
+const char* state_of(const JudgedExercise& exercise) {
+  const auto any = [&](auto is) {
+    return std::any_of(exercise.cases.begin(), exercise.cases.end(),
+                       [&](const JudgedCase& c) { return is(c.judgement.verdict); });
+  };
+  const auto is_passed = [](Verdict v) { return v == Verdict::kPassed; };
+  const auto is_open = [](Verdict v) {
+    return v == Verdict::kNotImplemented || v == Verdict::kNotJudged;
+  };
+  if (any([&](Verdict v) { return !is_passed(v) && !is_open(v); }))
+    return "fails: see there first";
+  return any(is_passed) ? "is not written for all cases" : "is not written yet";
+}
+
 }  // namespace
 
 void run_with_stand_ins(const Assignment& assignment, const Home& home,
@@ -85,8 +100,7 @@ void run_with_stand_ins(const Assignment& assignment, const Home& home,
     const ExerciseRubric& rubric = *exercise.rubric;
     if (is_all_right(exercise)) continue;
     run.judged.notes.push_back(
-        "your own " + rubric.name + " is part of this and " +
-        (has_failure(exercise) ? "fails: see there first" : "is not written for all cases"));
+        "your own " + rubric.name + " is part of this and " + state_of(exercise));
     wrong.push_back(rubric.name);
     stand_ins.push_back({rubric.name, find_exercise_judge(rubric).functions});
   }
