@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "grader/mesh/mesh_dump.h"
+#include "meshedit/detail/inspector.h"
 #include "meshedit/halfedge_mesh.h"
 
 namespace meshgrade {

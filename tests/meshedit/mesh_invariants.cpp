@@ -3,6 +3,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "meshedit/detail/inspector.h"
+
 namespace meshedit {
 
 namespace {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "faults.h"
+#include "meshedit/detail/inspector.h"
 #include "meshedit/meshedit.h"
 
 namespace meshedit {

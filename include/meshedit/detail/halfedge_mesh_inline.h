@@ -1,11 +1,9 @@
 #pragma once
 
-// Bodies of the members declared in halfedge_mesh.h.
+// Bodies of the members declared in halfedge_mesh.h that are worth inlining. The others are in
+// halfedge_mesh.cpp.
 
-#include <atomic>
-
-#include "inspector.h"
-#include "mesh_builder.h"
+#include "../halfedge_mesh.h"
 
 namespace meshedit {
 
@@ -99,37 +97,6 @@ inline Vector3D Face::normal() const {
   return sum.unit();
 }
 
-namespace detail {
-
-inline std::uint32_t next_mesh_serial() {
-  static std::atomic<std::uint32_t> last{0};
-  return ++last;
-}
-
-template <class T>
-void print_if_same(const Handle<T>& a, const Handle<T>& b, const char* kind,
-                   const void* address, const char* member) {
-  if (a == b) std::cout << kind << " " << address << " points to it by " << member << "\n";
-}
-
-}  // namespace detail
-
-inline HalfedgeMesh::HalfedgeMesh() : serial_(detail::next_mesh_serial()) {}
-
-inline HalfedgeMesh::HalfedgeMesh(const HalfedgeMesh& mesh) : HalfedgeMesh() {
-  *this = mesh;
-}
-
-inline HalfedgeMesh& HalfedgeMesh::operator=(const HalfedgeMesh& mesh) {
-  if (this != &mesh) detail::Inspector::copy(mesh, *this);
-  return *this;
-}
-
-inline void HalfedgeMesh::build(const std::vector<std::vector<Index>>& polygons,
-                                const std::vector<Vector3D>& vertexPositions) {
-  detail::MeshBuilder(polygons, vertexPositions).build(*this);
-}
-
 template <class T>
 void HalfedgeMesh::remove(detail::Pool<T>& pool, const Handle<T>& handle) {
   T* element = &*handle;
@@ -137,43 +104,6 @@ void HalfedgeMesh::remove(detail::Pool<T>& pool, const Handle<T>& handle) {
     detail::raise_fault(FaultKind::kForeignHandle, T::kHandleName);
   }
   pool.remove(element);
-}
-
-inline void HalfedgeMesh::check_for(HalfedgeIter target) {
-  for (HalfedgeIter h = halfedgesBegin(); h != halfedgesEnd(); ++h) {
-    detail::print_if_same(h->twin(), target, "half-edge", elementAddress(h), "twin");
-    detail::print_if_same(h->next(), target, "half-edge", elementAddress(h), "next");
-  }
-  for (VertexIter v = verticesBegin(); v != verticesEnd(); ++v) {
-    detail::print_if_same(v->halfedge(), target, "vertex", elementAddress(v), "halfedge");
-  }
-  for (EdgeIter e = edgesBegin(); e != edgesEnd(); ++e) {
-    detail::print_if_same(e->halfedge(), target, "edge", elementAddress(e), "halfedge");
-  }
-  for (FaceIter f = facesBegin(); f != facesEnd(); ++f) {
-    detail::print_if_same(f->halfedge(), target, "face", elementAddress(f), "halfedge");
-  }
-  for (FaceIter b = boundariesBegin(); b != boundariesEnd(); ++b) {
-    detail::print_if_same(b->halfedge(), target, "boundary", elementAddress(b), "halfedge");
-  }
-}
-
-inline void HalfedgeMesh::check_for(VertexIter target) {
-  for (HalfedgeIter h = halfedgesBegin(); h != halfedgesEnd(); ++h) {
-    detail::print_if_same(h->vertex(), target, "half-edge", elementAddress(h), "vertex");
-  }
-}
-
-inline void HalfedgeMesh::check_for(EdgeIter target) {
-  for (HalfedgeIter h = halfedgesBegin(); h != halfedgesEnd(); ++h) {
-    detail::print_if_same(h->edge(), target, "half-edge", elementAddress(h), "edge");
-  }
-}
-
-inline void HalfedgeMesh::check_for(FaceIter target) {
-  for (HalfedgeIter h = halfedgesBegin(); h != halfedgesEnd(); ++h) {
-    detail::print_if_same(h->face(), target, "half-edge", elementAddress(h), "face");
-  }
 }
 
 }  // namespace meshedit

@@ -63,34 +63,5 @@ struct Inspector {
   }
 };
 
-inline void Inspector::copy(const HalfedgeMesh& from, HalfedgeMesh& to) {
-  const auto halfedges = copy_elements(from.halfedges, to.halfedges, to.serial_);
-  const auto vertices = copy_elements(from.vertices, to.vertices, to.serial_);
-  const auto edges = copy_elements(from.edges, to.edges, to.serial_);
-  const auto faces = copy_elements(from.faces, to.faces, to.serial_);
-  const auto boundaries = copy_elements(from.boundaries, to.boundaries, to.serial_);
-  for (Halfedge* h : halfedges) {
-    if (h == nullptr) continue;
-    redirect(h->_twin, from.halfedges, halfedges);
-    redirect(h->_next, from.halfedges, halfedges);
-    redirect(h->_vertex, from.vertices, vertices);
-    redirect(h->_edge, from.edges, edges);
-    const bool outside = from.boundaries.find(h->_face.element_) >= 0;
-    redirect(h->_face, outside ? from.boundaries : from.faces, outside ? boundaries : faces);
-  }
-  const auto redirect_all = [&](const auto& elements) {
-    for (auto* element : elements) {
-      if (element != nullptr) redirect(element->_halfedge, from.halfedges, halfedges);
-    }
-  };
-  redirect_all(vertices);
-  redirect_all(edges);
-  redirect_all(faces);
-  redirect_all(boundaries);
-  for (Edge* e : edges) {
-    if (e != nullptr) redirect(e->record.edge, from.edges, edges);
-  }
-}
-
 }  // namespace detail
 }  // namespace meshedit

@@ -8,13 +8,13 @@
 // A slot is never used twice. So a handle to a deleted element always finds the mark "deleted"
 // and never, by accident, somebody else.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace meshedit {
 
@@ -86,6 +86,24 @@ struct AsideOf {
 template <>
 struct AsideOf<Edge> {
   using Type = EdgeRecord;
+};
+
+/// Pointers to memory blocks that double in size, so that there is room for all there can be.
+/// A std::vector would do, but each student's file would instantiate it once more.
+template <class T>
+class BlockList {
+ public:
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  T* const* begin() const { return blocks_.data(); }
+  T* const* end() const { return blocks_.data() + size_; }
+  T* operator[](std::size_t index) const { return blocks_[index]; }
+  void push_back(T* block) { blocks_[size_++] = block; }
+  void clear() { size_ = 0; }
+
+ private:
+  std::array<T*, 26> blocks_{};  // 16 * (1 + 2 + ... + 2^25) elements: more than kMaxElements
+  std::size_t size_ = 0;
 };
 
 template <class T>
@@ -256,7 +274,6 @@ class Pool {
 
   /// calloc gives fresh pages of zeros without touching them: they cost nothing until used.
   void add_asides(std::size_t size) {
-    asides_.reserve(chunks_.size() + 1);
     if (asides_.size() > chunks_.size()) return;  // from a chunk for which no memory was left
     auto* asides = static_cast<Aside*>(std::calloc(size, sizeof(Aside)));
     if (asides == nullptr) throw std::bad_alloc();
@@ -267,7 +284,6 @@ class Pool {
   void add_chunk() {
     const std::size_t size = chunk_size(chunks_.size());
     if (used_ + size > kMaxElements) throw std::bad_alloc();
-    chunks_.reserve(chunks_.size() + 1);
     if constexpr (kHasAside) add_asides(size);
     T* before = static_cast<T*>(::operator new((size + 2) * sizeof(T)));
     T* chunk = before + 1;
@@ -291,8 +307,8 @@ class Pool {
     return reinterpret_cast<T*>(&end_);
   }
 
-  std::vector<T*> chunks_;
-  std::vector<Aside*> asides_;   // one array for each chunk
+  BlockList<T> chunks_;
+  BlockList<Aside> asides_;      // one array for each chunk
   Aside* asides_end_ = nullptr;  // where the last one ends
   T* free_ = nullptr;            // the next slot to use
   T* chunk_end_ = nullptr;       // where the last chunk ends

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <vector>
 
+#include "meshedit/detail/halfedge_mesh.cpp"  // here, to pay for no source more than needed
 #include "meshedit/meshedit.h"
 
 namespace meshedit {
