@@ -99,8 +99,8 @@ void run_with_stand_ins(const Assignment& assignment, const Home& home,
   for (const JudgedExercise& exercise : needed) {
     const ExerciseRubric& rubric = *exercise.rubric;
     if (is_all_right(exercise)) continue;
-    run.judged.notes.push_back(
-        "your own " + rubric.name + " is part of this and " + state_of(exercise));
+    run.judged.notes.push_back("your own " + rubric.name + " is part of this and " +
+                               state_of(exercise));
     wrong.push_back(rubric.name);
     stand_ins.push_back({rubric.name, find_exercise_judge(rubric).functions});
   }

@@ -21,18 +21,26 @@ struct CloseFolder {
   void operator()(DIR* folder) const { ::closedir(folder); }
 };
 
+/// Calls `read` with each line of what the system says of a process.
+/// @param process  its folder in /proc
+template <class Read>
+void read_status(const std::string& process, Read read) {
+  const File status(std::fopen((process + "/status").c_str(), "re"));
+  char line[256];
+  while (status != nullptr && std::fgets(line, sizeof line, status.get()) != nullptr)
+    read(line);
+}
+
 /// Bytes of memory that belong to no file, as far as they are in real memory.
 std::uint64_t own_memory(const std::string& process) {
-  const File status(std::fopen((process + "/status").c_str(), "re"));
   std::uint64_t kilobytes = 0;
-  char line[256];
-  while (status != nullptr && std::fgets(line, sizeof line, status.get()) != nullptr) {
+  read_status(process, [&](const char* line) {
     unsigned long long value = 0;
     if (std::sscanf(line, "RssAnon: %llu", &value) == 1 ||
         std::sscanf(line, "RssShmem: %llu", &value) == 1) {
       kilobytes += value;
     }
-  }
+  });
   return kilobytes * 1024;
 }
 
@@ -46,8 +54,7 @@ void add_children(const std::string& thread, std::vector<pid_t>& processes) {
 }  // namespace
 
 TreeUse use_of_tree(pid_t root) {
-  constexpr std::size_t kMostProcesses =
-      10'000;  // whoever makes more of them than one can count
+  constexpr std::size_t kMostProcesses = 10'000;  // more need not be counted
   TreeUse use;
   std::vector<pid_t> waiting{root};
   while (!waiting.empty() && use.processes < kMostProcesses) {
@@ -71,16 +78,13 @@ std::size_t processes_of_user(uid_t user) {
   const std::unique_ptr<DIR, CloseFolder> folder(::opendir("/proc"));
   while (const dirent* entry = folder == nullptr ? nullptr : ::readdir(folder.get())) {
     if (std::isdigit(static_cast<unsigned char>(entry->d_name[0])) == 0) continue;
-    const File status(
-        std::fopen((std::string("/proc/") + entry->d_name + "/status").c_str(), "re"));
-    unsigned long long real = 0;
     bool is_theirs = false;
     std::size_t threads = 0;
-    char line[256];
-    while (status != nullptr && std::fgets(line, sizeof line, status.get()) != nullptr) {
+    read_status(std::string("/proc/") + entry->d_name, [&](const char* line) {
+      unsigned long long real = 0;
       if (std::sscanf(line, "Uid: %llu", &real) == 1) is_theirs = real == user;
       std::sscanf(line, "Threads: %zu", &threads);
-    }
+    });
     if (is_theirs) count += threads;
   }
   return count;

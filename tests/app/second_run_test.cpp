@@ -83,14 +83,15 @@ TEST_F(SecondRun, JudgesASubdivisionBeforeTheSplitIsWritten) {
   const ExerciseReport report = loop_of({flip_, loop_});
   EXPECT_EQ(report.verdict, Verdict::kPassed);
   EXPECT_THAT(report.stand_ins, ElementsAre("edge_split"));
-  EXPECT_THAT(report.notes.at(0), HasSubstr("edge_split is part of this and is not written yet"));
+  EXPECT_THAT(report.notes.at(0),
+              HasSubstr("edge_split is part of this and is not written yet"));
 }
 
 TEST_F(SecondRun, SaysOfAnUntouchedSkeletonThatNothingIsWritten) {
-  EXPECT_THAT(loop_of({}).notes,
-              testing::IsSupersetOf(
-                  {"your own edge_flip is part of this and is not written yet",
-                   "your own edge_split is part of this and is not written yet"}));
+  EXPECT_THAT(
+      loop_of({}).notes,
+      testing::IsSupersetOf({"your own edge_flip is part of this and is not written yet",
+                             "your own edge_split is part of this and is not written yet"}));
 }
 
 TEST_F(SecondRun, FindsWhatIsWrongWithTheSubdivisionItself) {
