@@ -101,6 +101,7 @@ class ViewServer::Impl {
         token_(random_token()) {
     server_.set_payload_max_length(kMostUploaded);
     server_.set_keep_alive_max_count(1000);
+    server_.set_keep_alive_timeout(1);  // stop() waits for connections that are idle
     // Each open page holds one for its news.
     server_.new_task_queue = [] { return new httplib::ThreadPool(kMostConnections); };
     server_.set_pre_routing_handler(

@@ -6,6 +6,7 @@
 #include <httplib.h>
 
 #include <atomic>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -36,7 +37,7 @@ class ViewServerTest : public testing::Test {
   }
   ~ViewServerTest() override {
     server_.stop();
-    serving_.join();
+    if (serving_.joinable()) serving_.join();
   }
   ViewServerTest(const ViewServerTest&) = delete;
   ViewServerTest& operator=(const ViewServerTest&) = delete;
@@ -220,6 +221,16 @@ TEST_F(ViewServerTest, FileThatIsSentIsShown) {
   EXPECT_EQ(result->status, 200) << result->body;
   EXPECT_EQ(state()["mesh"], "mine.obj");
   EXPECT_EQ(state()["state"]["mesh"]["v"].size(), 6U);
+}
+
+TEST_F(ViewServerTest, EndsSoonThoughAPageHoldsItsConnection) {
+  client_->set_keep_alive(true);
+  ASSERT_TRUE(client_->Get("/", with_token()));
+  const auto stopped = std::chrono::steady_clock::now();
+  server_.stop();
+  serving_.join();
+  // Browsers hold connections that they may need again; five seconds were waited for each.
+  EXPECT_LT(std::chrono::steady_clock::now() - stopped, std::chrono::seconds(4));
 }
 
 TEST_F(ViewServerTest, PagesAreToldOfAChange) {
