@@ -124,26 +124,9 @@ TEST_F(BatchCommand, AnAutograderWritesItsResultWhateverItIs) {
 TEST_F(BatchCommand, AnInterruptStopsItAndItGoesOn) {
   write_file(class_ / "eve" / "edge_flip.cpp",
              read_whole_file(wrong("edge_flip/sleeps/edge_flip.cpp")));
-  Command command;
-  // Once somebody is graded: a build with sanitizers takes seconds to begin.
-  const std::string script =
-      "\"$@\" & batch=$!; "
-      "for i in $(seq 600); do [ -e \"$0/results/ann\" ] && break; sleep 0.1; done; "
-      "kill -INT $batch; wait $batch";
-  command.arguments = {"bash",
-                       "-c",
-                       script,
-                       results_.string(),
-                       MESHGRADE_PROGRAM,
-                       "batch",
-                       class_.string(),
-                       "-o",
-                       results_.string(),
-                       "--exercise",
-                       "edge_flip",
-                       "--jobs",
-                       "2"};
-  const ProcessResult stopped = run_process(command);
+  const Said stopped = call_and_interrupt("[ -e '" + results_.string() + "/results/ann' ]",
+                                          {"batch", class_.string(), "-o", results_.string(),
+                                           "--exercise", "edge_flip", "--jobs", "2"});
   EXPECT_THAT(stopped.output, HasSubstr("stopped; the same command goes on from here"));
   EXPECT_FALSE(fs::exists(results_ / ".tmp"));
   const Said rest = batch({"-o", results_.string(), "--only", "ann"});

@@ -39,6 +39,25 @@ class CommandLine : public testing::Test {
     return {result.signal != 0 ? -result.signal : result.status, result.output};
   }
 
+  /// Calls the program and presses Ctrl-C once a shell command succeeds, for which "$0" is the
+  /// file with what the program has said so far.
+  Said call_and_interrupt(const std::string& once,
+                          const std::vector<std::string>& arguments) const {
+    Command command;
+    const std::string script =
+        "\"$@\" >\"$0\" 2>&1 & program=$!; "
+        "for i in $(seq 2000); do " +
+        once +
+        " && break; sleep 0.1; done; "
+        "kill -INT $program; wait $program; status=$?; cat \"$0\"; exit $status";
+    command.arguments = {"bash", "-c", script, (scratch_.path() / "said").string(),
+                         MESHGRADE_PROGRAM};
+    command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
+    command.time_limit = std::chrono::minutes(4);
+    const ProcessResult result = run_process(command);
+    return {result.status, result.output};
+  }
+
   static std::string reference() { return MESHGRADE_SOURCE_DIR "/reference"; }
   static std::string wrong(const std::string& name) {
     return MESHGRADE_SOURCE_DIR "/tests/submissions/wrong/" + name;

@@ -75,7 +75,10 @@ TEST_F(FileWatchTest, SurvivesAFolderThatGoes) {
   EXPECT_FALSE(notices(watch));
 }
 
-class WatchCommand : public CommandLine {};
+class WatchCommand : public CommandLine {
+ protected:
+  static constexpr const char* kChecked = "grep -q points \"$0\"";
+};
 
 TEST_F(WatchCommand, TellsOfAWrongFolderOrExerciseAtOnce) {
   EXPECT_EQ(call({"watch", (folder_ / "nowhere").string()}).status, 2);
@@ -83,25 +86,16 @@ TEST_F(WatchCommand, TellsOfAWrongFolderOrExerciseAtOnce) {
 }
 
 TEST_F(WatchCommand, ChecksAndEndsWithZeroOnCtrlC) {
-  Command command;
-  // In the foreground timeout sends one signal; otherwise a second one, to the whole group.
-  command.arguments = {"timeout",   "--foreground", "--preserve-status", "-s",
-                       "INT",       "12",           MESHGRADE_PROGRAM,   "watch",
-                       reference(), "bezier_curve"};
-  const ProcessResult result = run_process(command);
-  EXPECT_EQ(result.status, 0) << result.output;
-  EXPECT_THAT(result.output, HasSubstr("10 of 10 points"));
+  const Said said = call_and_interrupt(kChecked, {"watch", reference(), "bezier_curve"});
+  EXPECT_EQ(said.status, 0) << said.output;
+  EXPECT_THAT(said.output, HasSubstr("10 of 10 points"));
 }
 
 TEST_F(WatchCommand, NamesACommandThatShowsAll) {
   const std::string folder = wrong("edge_flip/next_forgotten");
-  Command command;
-  command.arguments = {"timeout",  "--preserve-status", "-s",    "INT",
-                       "12",       MESHGRADE_PROGRAM,   "watch", folder,
-                       "edge_flip"};
-  const ProcessResult result = run_process(command);
-  EXPECT_THAT(result.output, HasSubstr("more finding"));
-  EXPECT_THAT(result.output,
+  const Said said = call_and_interrupt(kChecked, {"watch", folder, "edge_flip"});
+  EXPECT_THAT(said.output, HasSubstr("more finding"));
+  EXPECT_THAT(said.output,
               HasSubstr("./meshgrade check " + shell_word(folder) + " --verbose shows all"));
 }
 
