@@ -61,6 +61,20 @@ class Bundle : public testing::Test {
   ScratchFolder scratch_;
 };
 
+// PrairieLearn, for one, starts its script by its name. Archives keep what a file may do.
+TEST_F(Bundle, ScriptsMayRunWherePermissionsAreKept) {
+  int scripts = 0;
+  for (const auto& entry :
+       fs::recursive_directory_iterator(kProject / "grader" / "package" / "hosts")) {
+    if (!entry.is_regular_file()) continue;
+    if (read_whole_file(entry.path()).rfind("#!", 0) != 0) continue;
+    ++scripts;
+    EXPECT_NE(entry.status().permissions() & fs::perms::owner_exec, fs::perms::none)
+        << entry.path();
+  }
+  EXPECT_EQ(scripts, 5);
+}
+
 TEST_F(Bundle, OfGradescopeWritesItsResults) {
   const fs::path root = scratch_.path() / "autograder";
   unpack("gradescope", root / "source");
