@@ -74,7 +74,8 @@ void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
                              "relies on, such as isNew of what is new");
 }
 
-/// What to say of an exercise that is not all right.
+/// What to say of an exercise that is not all right. Other than for has_failure(), cases that
+/// could not be judged are not its fault: a split is not wrong since the flip is not written.
 const char* state_of(const JudgedExercise& exercise) {
   const auto any = [&](auto is) {
     return std::any_of(exercise.cases.begin(), exercise.cases.end(),

@@ -22,9 +22,9 @@ Adequacy measure(const AdequacyOptions& options) {
 
 TEST(Adequacy, ASampleOfMutantsIsKilledOrReviewed) {
   AdequacyOptions options = nothing();
-  options.mutants = MESHGRADE_SAMPLE_OF_MUTANTS;
+  options.mutants = 15;
   const Adequacy adequacy = measure(options);
-  EXPECT_EQ(adequacy.mutants.size(), options.mutants);
+  EXPECT_EQ(adequacy.mutants.size(), 15U);
   EXPECT_EQ(adequacy.unexplained, std::vector<std::string>());
   EXPECT_EQ(adequacy.grader_errors, std::vector<std::string>());
   EXPECT_GE(functions_named(adequacy).percent(), 90.0);
