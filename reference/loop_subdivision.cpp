@@ -15,20 +15,26 @@ namespace {
 //              / \                                                                 .
 //            u     u
 Vector3D pointOfVertex(VertexCIter v) {
+  Size n = 0;
+  bool on_boundary = false;
   Vector3D neighbours;
   Vector3D boundary_neighbours;
   HalfedgeCIter h = v->halfedge();
   do {
-    const Vector3D p = h->twin()->vertex()->position;
+    const HalfedgeCIter t = h->twin();
+    const Vector3D p = t->vertex()->position;
+    ++n;
     neighbours += p;
-    if (h->edge()->isBoundary()) boundary_neighbours += p;
-    h = h->twin()->next();
+    if (h->isBoundary() || t->isBoundary()) {
+      on_boundary = true;
+      boundary_neighbours += p;
+    }
+    h = t->next();
   } while (h != v->halfedge());
-  if (v->isBoundary()) return 3.0 / 4.0 * v->position + 1.0 / 8.0 * boundary_neighbours;
+  if (on_boundary) return 3.0 / 4.0 * v->position + 1.0 / 8.0 * boundary_neighbours;
 
-  const double n = static_cast<double>(v->degree());
-  const double u = v->degree() == 3 ? 3.0 / 16.0 : 3.0 / (8.0 * n);
-  return (1.0 - n * u) * v->position + u * neighbours;
+  const double u = n == 3 ? 3.0 / 16.0 : 3.0 / (8.0 * static_cast<double>(n));
+  return (1.0 - static_cast<double>(n) * u) * v->position + u * neighbours;
 }
 
 // Where the new vertex of an edge goes.

@@ -18,12 +18,10 @@ std::vector<T> draw(std::vector<T> list, std::size_t count, Random random) {
   return list;
 }
 
-std::vector<Mutant> find_mutants(const std::vector<Original>& originals,
-                                 const AdequacyOptions& options) {
+std::vector<Mutant> find_mutants(const std::vector<Original>& originals) {
   std::vector<Mutant> mutants;
   for (const Original& original : originals) {
     for (const SourceFile& file : original.submission.sources) {
-      if (!options.exercise.empty() && file.name != options.exercise + ".cpp") continue;
       for (Mutant& mutant : make_mutants(original, file))
         mutants.push_back(std::move(mutant));
     }
@@ -31,20 +29,32 @@ std::vector<Mutant> find_mutants(const std::vector<Original>& originals,
   return mutants;
 }
 
-void compare_with_list(Adequacy& adequacy) {
-  std::set<std::string> survivors;
+std::set<std::string> ids_of(const std::vector<Mutant>& mutants) {
+  std::set<std::string> ids;
+  for (const Mutant& mutant : mutants)
+    ids.insert(mutant.id());
+  return ids;
+}
+
+void keep_exercise(std::vector<Mutant>& mutants, const std::string& exercise) {
+  std::erase_if(mutants, [&](const Mutant& mutant) { return mutant.exercise != exercise; });
+}
+
+/// `possible`: the ids of all mutants, graded or not.
+void compare_with_list(Adequacy& adequacy, const std::set<std::string>& possible) {
   for (const MutantResult& result : adequacy.mutants) {
-    if (result.fate == Fate::kSurvived) survivors.insert(result.mutant.id());
-    if (result.fate != Fate::kGraderFailed) continue;
-    adequacy.grader_errors.push_back(result.mutant.id() + ": " + result.verdict);
+    const std::string id = result.mutant.id();
+    if (result.fate == Fate::kGraderFailed) {
+      adequacy.grader_errors.push_back(id + ": " + result.verdict);
+      continue;
+    }
+    const bool listed = adequacy.reviewed.count(id) != 0;
+    const bool survived = result.fate == Fate::kSurvived;
+    if (survived && !listed) adequacy.unexplained.push_back(id);
+    if (listed && !survived) adequacy.outdated.push_back(id);
   }
-  for (const std::string& id : survivors) {
-    if (adequacy.reviewed.count(id) == 0) adequacy.unexplained.push_back(id);
-  }
-  // A sample says nothing about the mutants that are not in it.
-  if (adequacy.options.mutants != 0 || !adequacy.options.exercise.empty()) return;
   for (const auto& [id, reason] : adequacy.reviewed) {
-    if (survivors.count(id) == 0) adequacy.outdated.push_back(id);
+    if (possible.count(id) == 0) adequacy.outdated.push_back(id);
   }
 }
 
@@ -89,12 +99,14 @@ Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Origin
   adequacy.reviewed = reviewed;
   for (const ExerciseRubric& rubric : assignment.exercises)
     adequacy.exercises.push_back(rubric.name);
-  std::vector<Mutant> mutants = find_mutants(originals, options);
+  std::vector<Mutant> mutants = find_mutants(originals);
+  const std::set<std::string> possible = ids_of(mutants);
+  if (!options.exercise.empty()) keep_exercise(mutants, options.exercise);
   adequacy.possible_mutants = mutants.size();
   mutants = draw(std::move(mutants), options.mutants, Random(options.seed, "mutants"));
   adequacy.mutants =
       grade_mutants(assignment, originals, mutants, grade, options.jobs, progress);
-  compare_with_list(adequacy);
+  compare_with_list(adequacy, possible);
   adequacy.variants =
       grade_variants(originals, options.variants, options.seed, grade, options.jobs, progress);
   adequacy.determinism = compare_runs(assignment, originals,

@@ -26,6 +26,7 @@ TEST(Adequacy, ASampleOfMutantsIsKilledOrReviewed) {
   const Adequacy adequacy = measure(options);
   EXPECT_EQ(adequacy.mutants.size(), 15U);
   EXPECT_EQ(adequacy.unexplained, std::vector<std::string>());
+  EXPECT_EQ(adequacy.outdated, std::vector<std::string>());
   EXPECT_EQ(adequacy.grader_errors, std::vector<std::string>());
   EXPECT_GE(functions_named(adequacy).percent(), 90.0);
 }
