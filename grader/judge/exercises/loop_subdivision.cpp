@@ -7,10 +7,10 @@
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
+#include "grader/judge/loop_match.h"
 #include "grader/judge/loop_misconceptions.h"
 #include "grader/judge/options.h"
 #include "grader/judge/point_compare.h"
-#include "grader/judge/surface_match.h"
 #include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
 #include "grader/mesh/mesh_rules.h"
@@ -31,13 +31,6 @@ constexpr Variant kVariants[] = {
     {"Loop's weights", VertexRule::kLoop, CornerRule::kSmooth},
     {"Warren's weights, fixed corners", VertexRule::kWarren, CornerRule::kCorner},
     {"Loop's weights, fixed corners", VertexRule::kLoop, CornerRule::kCorner},
-};
-
-/// A right answer for one level: the same surface for all variants, with other positions.
-struct Level {
-  MeshDump surface;
-  std::vector<Origin> origins;
-  std::map<std::string, PolygonMesh> by_variant;
 };
 
 Level refine(const std::map<std::string, PolygonMesh>& meshes) {
@@ -239,58 +232,10 @@ class LevelsJudge {
     judgement_.findings.back().surface = figure_of_connectivity(level.surface, mesh, match);
   }
 
-  /// Half-edges of `mesh` that may be the one of the expected surface: first those that leave
-  /// the vertex with the number that the old vertex had, then all, the nearest first.
-  std::vector<Ref> candidates(const Level& level, const std::vector<Ref>& old_to_mine,
-                              const MeshDump& mesh, Ref from) const {
-    const HalfedgeRecord& h = level.surface.halfedges[from];
-    const Ref end = level.surface.halfedges[h.twin].vertex;
-    const std::vector<Point3>& points = level.by_variant.begin()->second.positions;
-    const Origin& origin = level.origins[h.vertex];
-    const Ref known = origin.is_old() ? old_to_mine[origin.a] : kUnsetRef;
-    std::vector<std::pair<double, Ref>> ranked;
-    for (Ref g = 0; g < mesh.halfedges.size(); ++g) {
-      const HalfedgeRecord& other = mesh.halfedges[g];
-      if (other.live == 0) continue;
-      const double off =
-          distance(points[h.vertex], mesh.vertices[other.vertex].position) +
-          distance(points[end], mesh.vertices[mesh.halfedges[other.twin].vertex].position);
-      ranked.emplace_back(other.vertex == known ? off - 1e9 : off, g);
-    }
-    constexpr std::size_t kMost = 64;
-    const std::size_t kept = std::min(kMost, ranked.size());
-    std::partial_sort(ranked.begin(), ranked.begin() + static_cast<std::ptrdiff_t>(kept),
-                      ranked.end());
-    std::vector<Ref> list;
-    for (std::size_t i = 0; i < kept; ++i)
-      list.push_back(ranked[i].second);
-    return list;
-  }
-
   bool has_surface(const Level& level, const std::vector<Ref>& old_to_mine,
                    const MeshDump& mesh) {
-    // Start at old vertices: their numbers are known unless the solution builds a new mesh.
-    std::vector<Ref> starts;
-    for (bool old : {true, false}) {
-      for (Ref h = 0; h < level.surface.halfedges.size(); ++h) {
-        const Origin& origin = level.origins[level.surface.halfedges[h].vertex];
-        if (origin.is_old() == old) starts.push_back(h);
-      }
-    }
-    const auto list = [&](Ref h) { return candidates(level, old_to_mine, mesh, h); };
-    // With the old numbers, so that a symmetric mesh with wrong positions is not matched
-    // turned.
-    SurfaceMatch numbered(level.surface);
-    for (std::size_t v = 0; v < level.origins.size(); ++v) {
-      const Origin& origin = level.origins[v];
-      if (origin.a == origin.b) numbered.vertex[v] = old_to_mine[origin.a];
-    }
-    SurfaceMatch free(level.surface);
-    for (SurfaceMatch* match : {&numbered, &free}) {
-      if (!match_surfaces(level.surface, mesh, starts, list, *match)) continue;
-      match_ = match->vertex;
-      return true;
-    }
+    match_ = match_level(level, old_to_mine, mesh, allowed_error(level));
+    if (!match_.empty()) return true;
     report_other_surface(level, old_to_mine, mesh);
     show_valences(level, old_to_mine, mesh);
     if (task_.explain) {
@@ -329,13 +274,14 @@ class LevelsJudge {
     return "the new vertex of an old edge";
   }
 
+  double allowed_error(const Level& level) const {
+    return task_.tolerance * extent(level.by_variant.begin()->second.positions);
+  }
+
   bool has_positions(const Level& level, const MeshDump& mesh) {
-    std::vector<Point3> actual(match_.size());
-    for (std::size_t v = 0; v < match_.size(); ++v) {
-      actual[v] = mesh.vertices[match_[v]].position;
-    }
+    const std::vector<Point3> actual = matched_points(match_, mesh);
     const double size = extent(level.by_variant.begin()->second.positions);
-    const double allowed = task_.tolerance * size;
+    const double allowed = allowed_error(level);
     const std::string& nearest = nearest_variant(level, actual, allowed);
     const std::vector<Point3>& expected = level.by_variant.at(nearest).positions;
     if (task_.measure) {
@@ -365,11 +311,9 @@ class LevelsJudge {
                                             const std::vector<Point3>& actual, double allowed) {
     std::map<std::pair<std::size_t, double>, const std::string*> ranked;
     for (const auto& [name, polygons] : level.by_variant) {
-      std::size_t wrong = 0;
-      for (std::size_t v = 0; v < actual.size(); ++v) {
-        wrong += distance(polygons.positions[v], actual[v]) <= allowed ? 0 : 1;
-      }
-      ranked.emplace(std::pair(wrong, worst_point(polygons.positions, actual).error), &name);
+      ranked.emplace(std::pair(count_wrong(polygons, actual, allowed),
+                               worst_point(polygons.positions, actual).error),
+                     &name);
     }
     return *ranked.begin()->second;
   }
