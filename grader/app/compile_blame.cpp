@@ -1,6 +1,7 @@
 #include "grader/app/compile_blame.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "grader/build/tool_words.h"
 
@@ -67,10 +68,28 @@ void blame_files_that_do_not_compile(const Submission& submission, const Build& 
   }
 }
 
+/// Where the function is not to be found at all, not even misspelled: the file that is named
+/// like its exercise says why, if it does not compile.
+void blame_file_of_exercise(const std::string& exercise, const Submission& submission,
+                            const Build& build, const ExerciseJudge& judge,
+                            CaseJudgement& judgement) {
+  for (const SourceFile& source : submission.sources) {
+    const BuiltFile* file = build.find(source.name);
+    if (file == nullptr || file->ok || file->compiler_died) continue;
+    if (std::filesystem::path(source.name).stem() != exercise) continue;
+    for (const std::string& function : judge.functions) {
+      if (judgement.note != function + " is not implemented") continue;
+      judgement.verdict = Verdict::kNotCompiled;
+      judgement.note = source.name + " " + trouble_with(*file) + ", and holds no " + function;
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 void blame_compilation(const Assignment& assignment, const Submission& submission,
-                       const Build& build, const ExerciseJudge& judge,
+                       const Build& build, const ExerciseJudge& judge, const Case& asked,
                        CaseJudgement& judgement) {
   if (judgement.verdict != Verdict::kNotImplemented &&
       judgement.verdict != Verdict::kNotJudged) {
@@ -78,6 +97,7 @@ void blame_compilation(const Assignment& assignment, const Submission& submissio
   }
   blame_files_that_do_not_compile(submission, build, judge, judgement);
   blame_left_out_functions(assignment, build, judge, judgement);
+  blame_file_of_exercise(asked.exercise, submission, build, judge, judgement);
 }
 
 }  // namespace meshgrade

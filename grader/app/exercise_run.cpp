@@ -122,7 +122,8 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
   JudgedExercise judged;
   judged.rubric = &rubric;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    blame_compilation(assignment, candidate.submission, candidate.build, judge, judgements[i]);
+    blame_compilation(assignment, candidate.submission, candidate.build, judge, cases[i],
+                      judgements[i]);
     judged.cases.push_back(
         {cases[i], std::move(judgements[i]), outcomes[i].output, outcomes[i].output_bytes, ""});
   }

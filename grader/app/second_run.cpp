@@ -44,10 +44,20 @@ JudgedExercise judge_second(const Assignment& assignment, const Home& home,
                         outcomes);
 }
 
+/// Whether this one case passes, in a process of its own.
+bool passes_alone(const Assignment& assignment, const Home& home, const Candidate& candidate,
+                  const ExerciseRubric& rubric, const Case& asked) {
+  const std::vector<Outcome> outcomes =
+      run_cases(candidate.build, {&asked}, assignment.limits, Company::kTogether);
+  return passed_cases(judge_exercise(assignment, home, candidate, rubric, {asked}, outcomes)) ==
+         1;
+}
+
 /// A function can do all that its own exercise asks, and not what its caller relies on: which
 /// of the new edges are marked is the business of both. So the last of those that are needed,
 /// the one that makes new elements, is replaced by a right one; if the first failing case
-/// passes then, says so. The points stay.
+/// passes then, says so. The points stay. A case that passes alone with the student's own
+/// function, too, fails for what was done before it.
 void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
                             const Submission& submission,
                             const std::vector<JudgedExercise>& needed, ExerciseRun& run) {
@@ -63,11 +73,9 @@ void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
   if (!changed) return;
   const Build build = build_submission(*changed, home, assignment.limits);
   if (!has_stand_ins(build, stand_in)) return;
-  const std::vector<Outcome> outcomes =
-      run_cases(build, {&asked}, assignment.limits, Company::kTogether);
-  const JudgedExercise second = judge_exercise(assignment, home, {*changed, build},
-                                               *run.judged.rubric, {asked}, outcomes);
-  if (passed_cases(second) == 0) return;
+  if (!passes_alone(assignment, home, {*changed, build}, *run.judged.rubric, asked)) return;
+  const Candidate own{submission, build_submission(submission, home, assignment.limits)};
+  if (passes_alone(assignment, home, own, *run.judged.rubric, asked)) return;
   run.judged.notes.push_back("with a right " + rubric.name + " in place of yours, " +
                              asked.id() + " passes: your " + rubric.name +
                              " is right on its own, but leaves something else than this code "

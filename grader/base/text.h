@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +22,14 @@ std::string number_text(double value, int digits = 6);
 /// "(0.5, 1, 0)"
 template <class Point>
 std::string point_text(const Point& point) {
-  std::string text = "(";
+  double largest = 0.0;
   for (double x : point)
-    text += (text.size() > 1 ? ", " : "") + number_text(x);
+    largest = std::max(largest, std::abs(x));
+  std::string text = "(";
+  for (double x : point) {
+    const bool noise = std::abs(x) < 1e-12 * largest;  // of rounding
+    text += (text.size() > 1 ? ", " : "") + number_text(noise ? 0.0 : x);
+  }
   return text + ")";
 }
 

@@ -21,10 +21,11 @@ struct Operation {
   std::uint32_t b = 0;
 };
 
-/// Which half-edges the elements around the first edge anchor when the operation begins.
+/// Which half-edges the elements anchor to begin with: all of these are right.
 enum class Anchoring : std::uint32_t {
   kAsBuilt = 0,
-  kOnEdge = 1,  ///< the edge its other half-edge, and its faces and inner ends the edge's own
+  kOnEdge = 1,     ///< the first edge its other half-edge; its faces and ends the edge's own
+  kElsewhere = 2,  ///< every element of the mesh another one than as it is built
 };
 
 struct OperationsInput {
@@ -56,20 +57,22 @@ struct SubdivisionInput {
   std::string mesh_name;  ///< for titles
   PolygonMesh mesh;
   std::uint32_t levels = 1;
+  Anchoring anchoring = Anchoring::kAsBuilt;  ///< not kOnEdge: there is no first edge
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(mesh_name, mesh, levels);
+    wire(mesh_name, mesh, levels, anchoring);
   }
 };
 
 /// Vertex normals: the worker sends a Point3 for each vertex, in order.
 struct NormalInput {
   PolygonMesh mesh;
+  Anchoring anchoring = Anchoring::kAsBuilt;  ///< not kOnEdge: there is no first edge
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(mesh);
+    wire(mesh, anchoring);
   }
 };
 

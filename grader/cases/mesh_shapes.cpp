@@ -1,6 +1,8 @@
 #include "grader/cases/mesh_shapes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace meshgrade {
 
@@ -26,6 +28,22 @@ PolygonMesh jittered(const PolygonMesh& mesh, double amount, Random& random) {
   return mapped(mesh, [&](const Point3& p) {
     return Point3{move(p[0]), move(2.0 * p[1]), move(0.5 * p[2])};
   });
+}
+
+PolygonMesh bipyramid(std::uint32_t n) {
+  PolygonMesh mesh;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / n;
+    mesh.positions.push_back({std::cos(angle), std::sin(angle), 0.0});
+  }
+  mesh.positions.push_back({0.0, 0.0, 1.0});
+  mesh.positions.push_back({0.0, 0.0, -0.5});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    mesh.polygons.push_back({i, j, n});
+    mesh.polygons.push_back({j, i, n + 1});
+  }
+  return in_build_order(mesh);
 }
 
 TriangleSet::TriangleSet(const PolygonMesh& mesh)
@@ -76,15 +94,15 @@ VertexPair TriangleSet::flip(VertexPair edge) {
 }
 
 std::uint32_t TriangleSet::split(VertexPair edge) {
-  const auto [a, b] = edge;
-  const auto [c, d] = opposite(edge);
   const std::uint32_t m = vertices_++;
-  remove(a, b);
-  remove(b, a);
-  add(a, m, c);
-  add(m, b, c);
-  add(b, m, d);
-  add(m, a, d);
+  for (const auto& [a, b] : {edge, VertexPair{edge.second, edge.first}}) {
+    const auto side = third_.find({a, b});
+    if (side == third_.end()) continue;
+    const std::uint32_t c = side->second;
+    remove(a, b);
+    add(a, m, c);
+    add(m, b, c);
+  }
   return m;
 }
 

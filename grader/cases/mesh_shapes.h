@@ -34,6 +34,9 @@ PolygonMesh mapped(PolygonMesh mesh, Map map) {
 /// that no two faces or angles are alike.
 PolygonMesh jittered(const PolygonMesh& mesh, double amount, Random& random);
 
+/// Two pyramids with a common base of n corners: two vertices of valence n.
+PolygonMesh bipyramid(std::uint32_t n);
+
 /// The triangles of a mesh, indexed by their directed edges.
 class TriangleSet {
  public:
@@ -53,7 +56,7 @@ class TriangleSet {
   /// Turns an inner edge. @return where it lies then
   VertexPair flip(VertexPair edge);
 
-  /// Splits an inner edge. @return the number of the new vertex
+  /// Splits any edge. @return the number of the new vertex
   std::uint32_t split(VertexPair edge);
 
  private:

@@ -40,12 +40,36 @@ void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind ki
     const std::string title =
         std::string(verb(kind)) + " the " + place + edge_text(edge) + " of " + file;
     add_operations(maker, group, title, {file, mesh, Anchoring::kAsBuilt, operations});
-    const char* anchored = choice == EdgeChoice::kBoundary
-                               ? ", whose half-edge is the one outside"
-                               : ", which its ends and faces anchor";
-    add_operations(maker, group, title + anchored,
-                   {file, mesh, Anchoring::kOnEdge, operations});
+    if (choice == EdgeChoice::kBoundary) {
+      add_operations(maker, group, title + ", whose halfedge() is the one outside",
+                     {file, mesh, Anchoring::kElsewhere, operations});
+    } else {
+      add_operations(maker, group,
+                     title +
+                         ", whose halfedge() is the other one, and which its ends and faces "
+                         "anchor",
+                     {file, mesh, Anchoring::kOnEdge, operations});
+    }
   }
+}
+
+void add_split_sequence(CaseMaker& maker, const std::string& group, const std::string& file,
+                        std::uint32_t length, Random& random) {
+  const PolygonMesh mesh = maker.mesh(file);
+  TriangleSet triangles(mesh);
+  std::vector<Operation> operations;
+  while (operations.size() < length) {
+    const std::vector<VertexPair> edges = triangles.edges();
+    const VertexPair edge = edges[random.below(static_cast<std::uint32_t>(edges.size()))];
+    const bool at_boundary = operations.size() % 3 != 2;
+    if (triangles.is_boundary(edge) != at_boundary) continue;
+    operations.push_back({OperationKind::kSplit, edge.first, edge.second});
+    triangles.split(edge);
+  }
+  add_operations(
+      maker, group,
+      std::to_string(length) + " random splits of " + file + ", inside and at its boundary",
+      {file, mesh, Anchoring::kAsBuilt, operations});
 }
 
 void add_sequence(CaseMaker& maker, const std::string& group, const std::string& file,

@@ -21,6 +21,10 @@ MeshDump first_mesh(const OperationsInput& input) {
   build_mesh(input.mesh, mesh);
   MeshDump built = dump_mesh(mesh);
   if (input.anchoring == Anchoring::kAsBuilt) return built;
+  if (input.anchoring == Anchoring::kElsewhere) {
+    anchor_elsewhere(mesh);
+    return dump_mesh(mesh);
+  }
   const Operation& first = input.operations.at(0);
   const Ref e = find_edge(built, live_vertex(built, first.a), live_vertex(built, first.b));
   anchor_on(std::next(mesh.edgesBegin(), e));

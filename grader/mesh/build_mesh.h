@@ -20,16 +20,29 @@ inline void build_mesh(const PolygonMesh& polygons, meshedit::HalfedgeMesh& mesh
   mesh.build(corners, positions);
 }
 
-/// Makes the elements around an inner edge anchor its half-edges, and the edge the other of its
-/// two: as right as what build() gives, and harder for a solution that forgets an anchor. Only
-/// vertices inside: those on a boundary keep their boundary half-edge. The mesh must be right.
+/// Makes the elements around an edge anchor its half-edges, and the edge the other of its two:
+/// as right as what build() gives, and harder for a solution that forgets an anchor. The mesh
+/// must be right.
 inline void anchor_on(meshedit::EdgeIter edge) {
   const meshedit::HalfedgeIter h = edge->halfedge()->twin();
   edge->halfedge() = h;
   for (const meshedit::HalfedgeIter& side : {h, h->twin()}) {
     side->face()->halfedge() = side;
-    if (!side->vertex()->isBoundary()) side->vertex()->halfedge() = side;
+    side->vertex()->halfedge() = side;
   }
+}
+
+/// Makes every element anchor another half-edge than as it was built, the next one around. Just
+/// as right: flips and splits leave such meshes behind. The mesh must be right.
+inline void anchor_elsewhere(meshedit::HalfedgeMesh& mesh) {
+  for (auto v = mesh.verticesBegin(); v != mesh.verticesEnd(); ++v)
+    v->halfedge() = v->halfedge()->twin()->next();
+  for (auto e = mesh.edgesBegin(); e != mesh.edgesEnd(); ++e)
+    e->halfedge() = e->halfedge()->twin();
+  for (auto f = mesh.facesBegin(); f != mesh.facesEnd(); ++f)
+    f->halfedge() = f->halfedge()->next();
+  for (auto b = mesh.boundariesBegin(); b != mesh.boundariesEnd(); ++b)
+    b->halfedge() = b->halfedge()->next();
 }
 
 }  // namespace meshgrade

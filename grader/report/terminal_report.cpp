@@ -211,7 +211,7 @@ class TerminalReport {
     std::vector<std::string> not_set;
     for (const WrongPointer& pointer : diff.wrong) {
       (pointer.was_set ? wrong : not_set)
-          .push_back(pad(pointer.name, 16) + must_be_text(pointer));
+          .push_back(pad(pointer.name, 15) + " " + must_be_text(pointer));
     }
     add_list("set, but wrong:", wrong);
     add_list("not changed, but must be:", not_set);

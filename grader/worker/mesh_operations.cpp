@@ -46,6 +46,7 @@ void run_mesh_operations(WireReader& input, Recorder& recorder) {
   const OperationsInput asked = input.read<OperationsInput>();
   meshedit::HalfedgeMesh mesh;
   build_mesh(asked.mesh, mesh);
+  if (asked.anchoring == Anchoring::kElsewhere) anchor_elsewhere(mesh);
   if (asked.anchoring == Anchoring::kOnEdge) {
     anchor_on(find_edge(mesh, asked.operations.at(0)));
   }

@@ -42,6 +42,15 @@ TEST(CompileBlame, CompilerThatBreaksIsAnErrorOfTheGrader) {
             "itself broke, twice");
 }
 
+TEST(CompileBlame, FileOfTheExerciseIsNotCompiledAlsoWhereTheFunctionIsNotInIt) {
+  Submission submission;
+  submission.sources = {{"vertex_normal.cpp", "garbage\n"}};
+  const Report report = grade_normal(submission, find_home());
+  EXPECT_STREQ(verdict_name(report.exercises.at(0).verdict), "not compiled");
+  EXPECT_EQ(report.exercises.at(0).cases.at(0).note,
+            "vertex_normal.cpp does not compile, and holds no Vertex::normal");
+}
+
 TEST(CompileBlame, FileThatDoesNotLinkIsToldWhy) {
   Submission submission;
   submission.sources = {{"a.cpp",

@@ -69,6 +69,16 @@ TEST_F(SecondRun, BlamesNoSplitForASubdivisionThatIsWrongItself) {
     EXPECT_THAT(note, testing::Not(HasSubstr("in place of yours")));
 }
 
+TEST_F(SecondRun, BlamesNoSplitForASubdivisionThatDependsOnEarlierCases) {
+  const SourceFile wrong =
+      altered("loop_subdivision.cpp", "// 1. All new points",
+              "static int calls = 0;\n  if (++calls > 2) return;\n  // 1. All new points");
+  const ExerciseReport report = loop_of(files(flip_, split_, wrong));
+  EXPECT_EQ(report.verdict, Verdict::kFailed);
+  for (const std::string& note : report.notes)
+    EXPECT_THAT(note, testing::Not(HasSubstr("in place of yours")));
+}
+
 TEST_F(SecondRun, GivesARightSubdivisionItsPointsDespiteABrokenSplit) {
   const ExerciseReport report = loop_of(files(flip_, broken_split(), loop_));
   EXPECT_EQ(report.verdict, Verdict::kPassed);
@@ -76,7 +86,7 @@ TEST_F(SecondRun, GivesARightSubdivisionItsPointsDespiteABrokenSplit) {
   EXPECT_EQ(report.extra_points, report.max_extra_points);
   EXPECT_THAT(report.stand_ins, ElementsAre("edge_split"));
   EXPECT_THAT(report.notes.at(0), HasSubstr("your own edge_split is part of this and fails"));
-  EXPECT_THAT(report.notes.at(1), HasSubstr("26 of 26 cases pass, instead of 0"));
+  EXPECT_THAT(report.notes.at(1), HasSubstr("32 of 32 cases pass, instead of 0"));
 }
 
 TEST_F(SecondRun, JudgesASubdivisionBeforeTheSplitIsWritten) {

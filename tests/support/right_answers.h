@@ -28,10 +28,14 @@ inline Ref find_edge(const MeshDump& mesh, Ref a, Ref b) {
 
 /// The mesh that the operations begin with.
 inline MeshDump first_mesh(const OperationsInput& input) {
-  const MeshDump built = dump_polygons(input.mesh);
-  if (input.anchoring == Anchoring::kAsBuilt) return built;
   meshedit::HalfedgeMesh mesh;
   build_mesh(input.mesh, mesh);
+  const MeshDump built = dump_mesh(mesh);
+  if (input.anchoring == Anchoring::kAsBuilt) return built;
+  if (input.anchoring == Anchoring::kElsewhere) {
+    anchor_elsewhere(mesh);
+    return dump_mesh(mesh);
+  }
   const Operation& first = input.operations.at(0);
   anchor_on(std::next(mesh.edgesBegin(), find_edge(built, first.a, first.b)));
   return dump_mesh(mesh);

@@ -47,6 +47,7 @@ void make_bezier_curve_cases(CaseMaker& maker) {
   for (std::size_t count = 2; count <= 20; ++count) {
     add_step(maker, "stress", random_points(count, random), random.unit());
   }
+  add_step(maker, "stress", random_points(30, random), random.unit());
 }
 
 void shrink_bezier_curve_case(CaseMaker& maker, const Case& failed) {

@@ -48,18 +48,24 @@ Net corner_of(const Net& net, std::size_t rows, std::size_t columns) {
   return corner;
 }
 
-void add_step_and_line(CaseMaker& maker, std::size_t count, double t, Random& random) {
-  const std::string where = plural(count, "point") + " at t = " + number_text(t);
-  maker.add("step", "evaluateStep on " + where, kNoSteps,
+std::string place_text(std::size_t count, double t) {
+  return plural(count, "point") + " at t = " + number_text(t);
+}
+
+void add_step(CaseMaker& maker, std::size_t count, double t, Random& random) {
+  maker.add("step", "evaluateStep on " + place_text(count, t), kNoSteps,
             PatchInput{PatchFunction::kStep, {random_row(count, random)}, {{t, 0.0}}});
-  maker.add("line", "evaluate1D on " + where, kNoSteps,
+}
+
+void add_line(CaseMaker& maker, std::size_t count, double t, Random& random) {
+  maker.add("line", "evaluate1D on " + place_text(count, t), kNoSteps,
             PatchInput{PatchFunction::kLine, {random_row(count, random)}, {{t, 0.0}}});
 }
 
 void add_surface(CaseMaker& maker, const std::string& group, const std::string& what, Net net,
                  const std::vector<std::array<double, 2>>& parameters) {
-  const std::string title = "evaluate on " + what + " (" + std::to_string(net.size()) +
-                            " rows of " + std::to_string(net[0].size()) + ") at " +
+  const std::string title = "evaluate on " + what + " (" + plural(net.size(), "row") + " of " +
+                            std::to_string(net[0].size()) + ") at " +
                             plural(parameters.size(), "place");
   maker.add(group, title, kNoSteps,
             PatchInput{PatchFunction::kSurface, std::move(net), parameters});
@@ -71,9 +77,14 @@ void make_bezier_patch_cases(CaseMaker& maker) {
   Random random = maker.random("nets");
   for (std::size_t count : {2U, 3U, 4U, 7U}) {
     for (double t : {0.5, 0.25, 0.0, 1.0, random.unit()}) {
-      add_step_and_line(maker, count, t, random);
+      add_step(maker, count, t, random);
+      add_line(maker, count, t, random);
     }
   }
+  Random more = maker.random("other sizes");
+  add_step(maker, 12, more.unit(), more);
+  add_line(maker, 12, more.unit(), more);
+  add_line(maker, 1, more.unit(), more);  // a curve of one point is that point
   add_surface(maker, "surface", "wavy.bez", to_net(maker.patches("wavy.bez").at(0)),
               {kPlace, {0.5, 0.5}, {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}});
   for (int i = 0; i < 6; ++i) {
@@ -92,6 +103,10 @@ void make_bezier_patch_cases(CaseMaker& maker) {
   for (const ControlNet& patch : maker.patches("teapot.bez")) {
     add_surface(maker, "stress", "patch " + std::to_string(++number) + " of the teapot",
                 to_net(patch), {{random.unit(), random.unit()}, {0.5, 0.25}});
+  }
+  for (const auto& [rows, columns] :
+       {std::pair(1U, 4U), std::pair(4U, 1U), std::pair(1U, 1U)}) {
+    add_surface(maker, "stress", "a random net", random_net(rows, columns, more), {kPlace});
   }
 }
 

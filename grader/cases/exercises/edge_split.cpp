@@ -14,6 +14,10 @@ void make_edge_split_cases(CaseMaker& maker) {
       add_every_edge(maker, group, OperationKind::kSplit, file, EdgeChoice::kBoundary);
     }
   }
+  Random at_boundary = maker.random("boundary sequences");
+  for (const char* file : {"two_triangles.obj", "single_triangle.obj", "grid_4x4.obj"}) {
+    add_split_sequence(maker, "boundary_split", file, 6, at_boundary);
+  }
   Random random = maker.random("sequences");
   for (const char* file : {"tetrahedron.obj", "octahedron.off", "cube_crossed.obj",
                            "valence_zoo.obj", "grid_4x4.obj", "two_components.obj"}) {

@@ -13,10 +13,13 @@ namespace {
 constexpr std::uint64_t kStepsPerTriangle = 1000;
 
 void add(CaseMaker& maker, const std::string& group, const std::string& what,
-         const PolygonMesh& mesh, std::uint32_t levels) {
+         const PolygonMesh& mesh, std::uint32_t levels,
+         Anchoring anchoring = Anchoring::kAsBuilt) {
   const std::uint64_t triangles = mesh.polygons.size() << (2U * levels);
-  maker.add(group, plural(levels, "level") + " on " + what,
-            10'000 + kStepsPerTriangle * triangles, SubdivisionInput{what, mesh, levels});
+  const char* how = anchoring == Anchoring::kElsewhere ? ", each halfedge() another one" : "";
+  maker.add(group, plural(levels, "level") + " on " + what + how,
+            10'000 + kStepsPerTriangle * triangles,
+            SubdivisionInput{what, mesh, levels, anchoring});
 }
 
 }  // namespace
@@ -38,16 +41,22 @@ void make_loop_subdivision_cases(CaseMaker& maker) {
     add(maker, "boundary", file, maker.mesh(file), 1);
     add(maker, "boundary", file, maker.mesh(file), 2);
   }
+  add(maker, "boundary", "umbrella.obj", maker.mesh("umbrella.obj"), 1);
+  add(maker, "boundary", "umbrella.obj", maker.mesh("umbrella.obj"), 3);
+  for (const char* file : {"two_triangles.obj", "umbrella.obj", "grid_4x4.obj"}) {
+    add(maker, "boundary", file, maker.mesh(file), 1, Anchoring::kElsewhere);
+  }
   add(maker, "stress", "two_components.obj", maker.mesh("two_components.obj"), 2);
   add(maker, "stress", "double_torus.obj", maker.mesh("double_torus.obj"), 1);
   add(maker, "stress", "sliver.obj", maker.mesh("sliver.obj"), 1);
   add(maker, "stress", "a torus of 20,000 triangles", in_build_order(torus_mesh(100, 100)), 1);
+  add(maker, "stress", "a double pyramid with 20 sides", bipyramid(20), 1);
 }
 
 void shrink_loop_subdivision_case(CaseMaker& maker, const Case& failed) {
   const auto input = from_wire<SubdivisionInput>(failed.input);
   for (std::uint32_t levels = 1; levels < input.levels; ++levels)
-    add(maker, failed.group, input.mesh_name, input.mesh, levels);
+    add(maker, failed.group, input.mesh_name, input.mesh, levels, input.anchoring);
   for (const Rung& rung : smaller_meshes_alike(maker, input.mesh))
     add(maker, failed.group, rung.file, rung.mesh, input.levels);
 }

@@ -10,9 +10,10 @@ namespace meshgrade {
 namespace {
 
 void add(CaseMaker& maker, const std::string& group, const std::string& title,
-         const PolygonMesh& mesh) {
-  maker.add(group, "the normals of " + title, 1000 + 400 * mesh.polygons.size(),
-            NormalInput{mesh});
+         const PolygonMesh& mesh, Anchoring anchoring = Anchoring::kAsBuilt) {
+  const char* how = anchoring == Anchoring::kElsewhere ? ", each halfedge() another one" : "";
+  maker.add(group, "the normals of " + title + how, 1000 + 400 * mesh.polygons.size(),
+            NormalInput{mesh, anchoring});
 }
 
 /// Gives a flat mesh hills, so that its normals differ.
@@ -63,25 +64,31 @@ void make_vertex_normal_cases(CaseMaker& maker) {
                            "fan.obj", "cylinder.dae"}) {
     add(maker, "boundary", std::string(file) + ", bent", bent(maker.mesh(file)));
   }
+  for (const char* file : {"two_triangles.obj", "grid_4x4.obj", "fan.obj"}) {
+    add(maker, "boundary", std::string(file) + ", bent", bent(maker.mesh(file)),
+        Anchoring::kElsewhere);
+  }
   for (const char* file :
        {"sliver.obj", "needle.obj", "double_torus.obj", "two_components.obj"}) {
     add(maker, "stress", file, maker.mesh(file));
   }
   const PolygonMesh shaken = jittered(maker.mesh("icosahedron.obj"), 0.2, random);
-  add(maker, "stress", "a shaken icosahedron, 50 times larger", scaled(shaken, 50.0));
-  add(maker, "stress", "a shaken icosahedron, 50 times smaller", scaled(shaken, 0.02));
+  add(maker, "stress", "a shaken icosahedron, 10,000 times larger", scaled(shaken, 1e4));
+  add(maker, "stress", "a shaken icosahedron, 10,000 times smaller", scaled(shaken, 1e-4));
   add(maker, "stress", "a shaken icosahedron, turned", turned(shaken));
+  add(maker, "stress", "a double pyramid with 20 sides, stretched and shaken",
+      jittered(bipyramid(20), 0.1, random));
 }
 
 void shrink_vertex_normal_case(CaseMaker& maker, const Case& failed) {
-  const PolygonMesh mesh = from_wire<NormalInput>(failed.input).mesh;
+  const auto [mesh, anchoring] = from_wire<NormalInput>(failed.input);
   Random random = maker.random("smaller");
   for (const Rung& rung : smaller_meshes_alike(maker, mesh)) {
-    add(maker, failed.group, rung.file, rung.mesh);
+    add(maker, failed.group, rung.file, rung.mesh, anchoring);
     const double factor = reach(mesh) / reach(rung.mesh);
     add(maker, failed.group,
         rung.file + ", stretched, shaken, and made as large as the mesh that failed",
-        scaled(jittered(rung.mesh, 0.2, random), factor));
+        scaled(jittered(rung.mesh, 0.2, random), factor), anchoring);
   }
 }
 

@@ -87,6 +87,7 @@ Predictions predict_step(const std::vector<Point3>& row, double t) {
 }
 
 Predictions predict_line(const std::vector<Point3>& row, double t) {
+  if (row.size() < 2) return {{"not-computed", {Point3{}}}};
   const std::vector<Point3> level = de_casteljau_step(row, t);
   return {{"t-swapped", {bernstein(row, 1.0 - t)}},
           {"t-truncated", {bernstein(row, std::trunc(t))}},
@@ -127,10 +128,12 @@ std::string place_text(const PatchInput& input, std::array<double, 2> place) {
   return "u = " + number_text(place[0]) + ", v = " + number_text(place[1]);
 }
 
+/// A single point has no extent: its numbers are rounded by how far it is from the origin.
 double size_of(const PatchInput& input) {
   std::vector<Point3> all;
   for (const auto& row : input.net)
     all.insert(all.end(), row.begin(), row.end());
+  if (all.size() == 1) all.push_back({0.0, 0.0, 0.0});
   return extent(all);
 }
 

@@ -11,6 +11,7 @@ void run_loop_subdivision(WireReader& input, Recorder& recorder) {
   const SubdivisionInput asked = input.read<SubdivisionInput>();
   meshedit::HalfedgeMesh mesh;
   build_mesh(asked.mesh, mesh);
+  if (asked.anchoring == Anchoring::kElsewhere) anchor_elsewhere(mesh);
   recorder.set_state_source([&mesh] { return to_wire(dump_mesh(mesh)); });
   meshedit::MeshResampler resampler;
   for (std::uint32_t level = 0; level < asked.levels; ++level) {
