@@ -204,7 +204,7 @@ std::vector<std::string> task_command(const BatchCommandOptions& options) {
 int announce_jobs(const ClusterBatch& cluster) {
   const std::size_t count = write_jobs_file(cluster);
   std::cout << cluster.cluster.jobs_file << ": " << plural(count, "command")
-            << ", one a line, to be run anywhere that sees the same folders.\n"
+            << ", one per line, to be run anywhere that sees the same folders.\n"
             << "When they are done, this command without --jobs-file collects the results.\n";
   return 0;
 }
@@ -290,13 +290,13 @@ void add_options(CLI::App& command, BatchCommandOptions& options) {
   command.add_option("--only", options.only,
                      "Only the hand-in of this person; may be repeated");
   command.add_option("--only-file", options.only_file,
-                     "The same from a file with one name a line");
+                     "The same from a file with one name per line");
   command.add_flag("--html", options.html,
                    "Also write class.html and a page for each student's report");
   command.add_flag("--force", options.force, "Grade again what has not changed");
   command.add_flag("--require-sandbox", options.require_sandbox, kRequireSandboxHelp);
   command.add_option("-j,--jobs", options.jobs,
-                     "How many at a time; all cores if not given, on a cluster one a task");
+                     "How many at a time; all cores if not given, one per task on a cluster");
   command.add_flag("--slurm", options.cluster.slurm,
                    "Grade by an array job of the Slurm cluster that this machine belongs to");
   command.add_option("--sbatch", options.cluster.sbatch,
@@ -326,7 +326,7 @@ void add_batch_command(CLI::App& app, int& exit_code) {
       "command goes on where it was; what has not changed is not graded again.\n"
       "Exit code: 0 all are graded, whatever their points, 1 some cannot be graded, 2 bad "
       "usage\n"
-      "or unreadable input, 3 an error of the grader, 130 stopped.");
+      "or unreadable input, 3 an error of the grader, 130 stopped by Ctrl-C or TERM.");
   command->callback([options, &exit_code] { exit_code = batch(*options); });
 }
 

@@ -50,7 +50,7 @@ void add_bundle_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  meshgrade bundle gradescope -o gradescope.zip\n"
       "  meshgrade bundle github -o github.zip --assignment my_assignment.toml\n"
-      "docs/instructor.md says what to do with it. All but that for github hold the "
+      "docs/autograders.md says what to do with it. All but that for github hold the "
       "reference.\n"
       "Exit code: 0 written, 2 bad usage or a file that cannot be written.");
   command->callback([options, &exit_code] { exit_code = bundle(*options); });

@@ -90,7 +90,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "  meshgrade check my_homework edge_split --figures pictures\n"
       "  meshgrade check my_homework --html report.html\n"
       "Exit code: 0 all required points, 1 points lost, 2 bad usage or unreadable input,\n"
-      "3 an error of the grader.");
+      "3 an error of the grader, 130 stopped by Ctrl-C, 143 by TERM.");
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

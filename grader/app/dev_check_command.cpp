@@ -130,7 +130,9 @@ void add_mutant_options(CLI::App* command, Options& options) {
   CLI::Option* mutants = command->add_flag(
       "--mutants", options.mutants,
       "Prove instead that the grader finds mistakes, and write docs/adequacy.md");
-  command->add_option("--sample", options.adequacy.mutants, "Only so many mutants, drawn")
+  command
+      ->add_option("--sample", options.adequacy.mutants,
+                   "Only this many mutants, drawn at random")
       ->needs(mutants);
   command
       ->add_option("--variants", options.adequacy.variants,

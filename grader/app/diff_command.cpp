@@ -34,7 +34,7 @@ void add_diff_command(CLI::App& app, int& exit_code) {
       app.add_subcommand("diff", "Show whose points changed after a class was graded again");
   command->add_option("old", options->before, "The results before")->required();
   command->add_option("new", options->after, "The results after")->required();
-  command->add_option("--cases", options->cases, "So many cases are named of each hand-in");
+  command->add_option("--cases", options->cases, "The most cases to name for each hand-in");
   command->footer(
       "Keep the old results to compare with, and grade into another folder:\n"
       "  meshgrade batch submissions -o results_2 --assignment mended.toml\n"

@@ -13,10 +13,10 @@
 namespace meshgrade {
 namespace {
 
-/// So many failed cases of an exercise are explained in full; the others get their verdict.
+/// At most this many failed cases are explained in full; the others get their verdict.
 constexpr std::size_t kMostExplained = 8;
 
-/// So many failed cases of an exercise are made smaller.
+/// At most this many failed cases of an exercise are made smaller; these, too, are explained.
 constexpr std::size_t kMostShrunk = 3;
 
 /// Judges cases in order; in full the first `explained` of those that failed, and as many of

@@ -250,7 +250,9 @@ void add_mesh_info_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  meshgrade mesh-info meshes/double_torus.obj\n"
       "  meshgrade mesh-info meshes/teapot.bez\n"
-      "  meshgrade mesh-info meshes/invalid/bow_tie.obj    (exit code 2: no surface)");
+      "  meshgrade mesh-info meshes/invalid/bow_tie.obj    (exit code 2: no surface)\n"
+      "Exit code: 0, or 2 for bad usage, a file that cannot be read, or a mesh that is no "
+      "surface.");
   command->callback([file, &exit_code] { exit_code = run(*file); });
 }
 

@@ -72,7 +72,7 @@ void add_similarity_command(CLI::App& app, int& exit_code) {
   command->add_option("--skeleton", options->skeleton,
                       "What was handed out, and does not count; the students' skeleton if not "
                       "given");
-  command->add_option("--top", options->top, "So many pairs are shown");
+  command->add_option("--top", options->top, "The most pairs to show");
   command->add_option("--least", options->how.least_percent, "Only from this percentage on")
       ->check(CLI::Range(1, 100));
   command->add_option("-o,--output", options->output, "Write all pairs to this file (CSV)");

@@ -143,7 +143,8 @@ void add_subdivide_command(CLI::App& app, int& exit_code) {
       "Examples:\n"
       "  meshgrade subdivide meshes/cube.obj -n 3 -o smooth.obj\n"
       "  meshgrade subdivide scan.stl -n 1 -o scan.glb --rule warren\n"
-      "  meshgrade subdivide meshes/grid_4x4.obj -n 2 -o grid.ply --boundary corner");
+      "  meshgrade subdivide meshes/grid_4x4.obj -n 2 -o grid.ply --boundary corner\n"
+      "Exit code: 0 written, 2 bad usage, or a file that cannot be read or written.");
   command->callback([arguments, &exit_code] {
     DirectLoopOptions& chosen = arguments->options;
     chosen.vertex_rule = arguments->rule == "loop" ? VertexRule::kLoop : VertexRule::kWarren;

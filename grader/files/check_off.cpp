@@ -62,7 +62,7 @@ CheckedInput check_off(const std::filesystem::path& file, std::string_view text)
   for (std::uint32_t f = 0; f < n_faces; ++f)
     check_face(scanner, f, input);
   if (scanner.next_line()) {
-    scanner.refuse("more lines than the counts at the top promise; mend the counts");
+    scanner.refuse("more lines than the counts at the top promise; correct the counts");
   }
   return input;
 }

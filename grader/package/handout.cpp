@@ -11,7 +11,8 @@ namespace {
 std::vector<PackagePart> handout_parts() {
   std::vector<PackagePart> parts = grader_parts();
   parts.push_back({"student_skeleton", "student_skeleton"});
-  parts.push_back({"docs/handout.md", "README.md"});
+  // It lies at the top here, too, so that its links hold in both places.
+  parts.push_back({"HANDOUT.md", "README.md"});
   for (const char* page : {"student.md", "installing.md", "rules.md", "report.md",
                            "report.schema.json", "formats.md", "dropin.md", "assignment.md",
                            "exercises", "viewer.md", "lopsided_cube.md", "pictures"}) {

@@ -13,7 +13,7 @@ namespace meshgrade {
 
 enum class PanelPart { kBefore, kYours, kExpected };
 
-/// So many wrong pointers are drawn as arrows of their own; all are told in words.
+/// At most this many wrong pointers are drawn as arrows of their own; all are told in words.
 constexpr std::size_t kMostDrawnFaults = 6;
 
 /// What a panel shows and how it is to be understood.

@@ -152,7 +152,7 @@ class TerminalReport {
   void add_case(const CaseReport& c) {
     out_ +=
         "  " + paint("36", c.id) + ": " + c.title + ": " + paint_verdict(c.verdict, 0) + "\n";
-    if (!c.shrunk_from.empty()) add_field("", "the smallest that fails like: " + c.shrunk_from);
+    if (!c.shrunk_from.empty()) add_field("", "made smaller from: " + c.shrunk_from);
     const std::size_t shown = style_.verbose ? c.findings.size() : 1;
     for (std::size_t i = 0; i < std::min(shown, c.findings.size()); ++i) {
       add_finding(c.findings[i]);

@@ -133,8 +133,7 @@ TEST_F(Handout, LeavesTheSeedOfHiddenCasesBehindWhereverItLies) {
     std::ofstream(file) << read(kAssignment) << "\n[hidden]\nseed_file = \"../" << seed
                         << "\"\n";
     std::ofstream(project / seed) << "8205\n";
-    fs::create_directories(project / "docs");
-    fs::copy_file(kProject / "docs" / "handout.md", project / "docs" / "handout.md",
+    fs::copy_file(kProject / "HANDOUT.md", project / "HANDOUT.md",
                   fs::copy_options::overwrite_existing);
     const fs::path target = scratch_.path() / fs::path(seed).parent_path().filename();
     write_handout(project, file, target);

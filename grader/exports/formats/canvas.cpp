@@ -151,7 +151,7 @@ Exported write_without_gradebook(const ClassResults& results, const ExportOption
   }
   exported.notes.push_back(
       "Canvas offers to create an assignment \"" + printable(column) +
-      "\" unless one is called like this; with --gradebook the right column is found");
+      "\" unless there is one of this name; with --gradebook the right column is found");
   return exported;
 }
 

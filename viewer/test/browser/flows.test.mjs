@@ -110,7 +110,6 @@ test('Flip, split, subdivide and undo by keys alone', async () => {
   await page.waitForFunction(() => document.querySelector('[aria-current]').textContent.includes('subdivide'));
   await page.keyboard.press('q');
   await page.waitForFunction(() => document.querySelector('[data-option=smooth]').ariaPressed === 'true');
-  await snap(page, 'viewer_smooth');
   assert.deepEqual(await accessibilityProblems(page), []);
   await viewer.stop();
 });
@@ -209,7 +208,7 @@ for (const [what, code, text] of STOPS) {
     await page.keyboard.press('f');
     await page.locator('.stop').getByText(text).first().waitFor({ timeout: 60000 });
     assert.match(await viewer.counts(), /8 vertices, 18 edges, 12 faces/);
-    await snap(page, `viewer_${what.split(' ').at(-1)}`);
+    if (what === 'A crash') await snap(page, 'viewer_crash');
     writeFileSync(file, right);
     await page.locator('.timeline .sign.good').waitFor({ timeout: 120000 });
     assert.equal(await page.locator('.stop').count(), 0);
@@ -257,7 +256,6 @@ test('A surface comes from the student\'s evaluate', async () => {
   assert.match(await viewer.counts(), /1 patches, 289 points/);
   await page.getByRole('combobox').selectOption('32');
   await page.waitForFunction(() => document.querySelector('.stage canvas').ariaLabel.includes('1089 points'));
-  await snap(page, 'viewer_surface');
   assert.deepEqual(await accessibilityProblems(page), []);
   await viewer.stop();
 });
