@@ -44,11 +44,10 @@ void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind ki
       add_operations(maker, group, title + ", whose halfedge() is the one outside",
                      {file, mesh, Anchoring::kElsewhere, operations});
     } else {
-      add_operations(maker, group,
-                     title +
-                         ", whose halfedge() is the other one, and which its ends and faces "
-                         "anchor",
-                     {file, mesh, Anchoring::kOnEdge, operations});
+      add_operations(
+          maker, group,
+          title + ", with halfedge() on the other side, and its ends and faces anchored on it",
+          {file, mesh, Anchoring::kOnEdge, operations});
     }
   }
 }

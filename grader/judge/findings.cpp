@@ -15,4 +15,12 @@ std::string error_text(double error, double size, double tolerance) {
          ")";
 }
 
+void mention_anchoring(Anchoring anchoring, CaseJudgement& judgement) {
+  if (anchoring != Anchoring::kElsewhere || judgement.findings.empty()) return;
+  judgement.findings[0].look_at +=
+      "; does your code rely on which half-edge halfedge() of a vertex or an edge is? Here "
+      "each "
+      "is another than after build(), as flips and splits leave them";
+}
+
 }  // namespace meshgrade

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "grader/cases/mesh_input.h"
 #include "grader/judge/finding.h"
 #include "grader/mesh/mesh_rules.h"
 
@@ -25,6 +26,9 @@ inline Finding make_finding(std::string rule, std::string meaning, std::string w
   finding.look_at = std::move(look_at);
   return finding;
 }
+
+/// Adds to what to look at that the mesh had other anchors than after build(), if it had.
+void mention_anchoring(Anchoring anchoring, CaseJudgement& judgement);
 
 /// "1.2e-02 of the mesh's diagonal (allowed: 1e-05)"
 std::string error_text(double error, double size, double tolerance);

@@ -147,6 +147,7 @@ class LevelsJudge {
       if (!keeps_rules(mesh) || !has_counts(level, old_to_mine, mesh) ||
           !has_surface(level, old_to_mine, mesh) || !has_positions(level, mesh)) {
         keep_scene(level, mesh);
+        mention_anchoring(input.anchoring, judgement_);
         return;
       }
       meshes = std::move(level.by_variant);

@@ -52,6 +52,7 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
   }
   judgement.findings.back().likely =
       recognize_normals(input.mesh, expected, actual, task.tolerance);
+  mention_anchoring(input.anchoring, judgement);
 }
 
 }  // namespace
