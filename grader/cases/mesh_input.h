@@ -24,7 +24,7 @@ struct Operation {
 /// Which half-edges the elements anchor to begin with: all of these are right.
 enum class Anchoring : std::uint32_t {
   kAsBuilt = 0,
-  kOnEdge = 1,     ///< the first edge its other half-edge; its faces and ends the edge's own
+  kOnEdge = 1,  ///< the first edge its other half-edge; its faces and inner ends the edge's own
   kElsewhere = 2,  ///< every element of the mesh another one than as it is built
 };
 

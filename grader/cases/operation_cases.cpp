@@ -12,6 +12,21 @@ std::string sequence_text(std::uint32_t length, std::uint32_t flips_of_ten) {
   return count + " random splits and flips of ";
 }
 
+std::vector<VertexPair> chosen_edges(const PolygonMesh& mesh, EdgeChoice choice) {
+  const TriangleSet triangles(mesh);
+  std::vector<VertexPair> edges = triangles.edges();
+  std::erase_if(edges, [&](const VertexPair& edge) {
+    return triangles.is_boundary(edge) != (choice == EdgeChoice::kBoundary);
+  });
+  return edges;
+}
+
+std::string edge_title(OperationKind kind, VertexPair edge, const std::string& file,
+                       EdgeChoice choice) {
+  const char* place = choice == EdgeChoice::kBoundary ? " the boundary edge " : " the edge ";
+  return verb(kind) + std::string(place) + edge_text(edge) + " of " + file;
+}
+
 }  // namespace
 
 const char* verb(OperationKind kind) {
@@ -32,23 +47,26 @@ void add_operations(CaseMaker& maker, const std::string& group, const std::strin
 void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,
                     const std::string& file, EdgeChoice choice) {
   const PolygonMesh mesh = maker.mesh(file);
-  const TriangleSet triangles(mesh);
-  for (const VertexPair& edge : triangles.edges()) {
-    if (triangles.is_boundary(edge) != (choice == EdgeChoice::kBoundary)) continue;
+  for (const VertexPair& edge : chosen_edges(mesh, choice)) {
     const std::vector<Operation> operations{{kind, edge.first, edge.second}};
-    const char* place = choice == EdgeChoice::kBoundary ? "boundary edge " : "edge ";
-    const std::string title =
-        std::string(verb(kind)) + " the " + place + edge_text(edge) + " of " + file;
+    const std::string title = edge_title(kind, edge, file, choice);
     add_operations(maker, group, title, {file, mesh, Anchoring::kAsBuilt, operations});
-    if (choice == EdgeChoice::kBoundary) {
-      add_operations(maker, group, title + ", whose halfedge() is the one outside",
-                     {file, mesh, Anchoring::kElsewhere, operations});
-    } else {
-      add_operations(
-          maker, group,
-          title + ", with halfedge() on the other side, and its ends and faces anchored on it",
-          {file, mesh, Anchoring::kOnEdge, operations});
-    }
+    const char* anchored = choice == EdgeChoice::kBoundary
+                               ? ", whose half-edge is the one outside"
+                               : ", which its ends and faces anchor";
+    add_operations(maker, group, title + anchored,
+                   {file, mesh, Anchoring::kOnEdge, operations});
+  }
+}
+
+void add_every_edge_elsewhere(CaseMaker& maker, const std::string& group, OperationKind kind,
+                              const std::string& file, EdgeChoice choice) {
+  const PolygonMesh mesh = maker.mesh(file);
+  for (const VertexPair& edge : chosen_edges(mesh, choice)) {
+    add_operations(
+        maker, group,
+        edge_title(kind, edge, file, choice) + ", each halfedge() another than after build()",
+        {file, mesh, Anchoring::kElsewhere, {{kind, edge.first, edge.second}}});
   }
 }
 

@@ -22,10 +22,15 @@ void add_operations(CaseMaker& maker, const std::string& group, const std::strin
 enum class EdgeChoice { kInner, kBoundary };
 
 /// Adds two cases for every boundary edge of a mesh file, or for every inner one: with the
-/// anchors as they are built, and with others. At the boundary, all elements have others then,
-/// and the edge the half-edge outside.
+/// anchors as they are built, and with the others. At the boundary, those have the half-edge
+/// outside as the edge's own.
 void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,
                     const std::string& file, EdgeChoice choice);
+
+/// Adds a case for each of these edges, with all elements of the mesh anchored elsewhere than
+/// as they are built.
+void add_every_edge_elsewhere(CaseMaker& maker, const std::string& group, OperationKind kind,
+                              const std::string& file, EdgeChoice choice);
 
 /// Adds a random sequence of `length` splits, two of three of them at the boundary: so that
 /// parts of an edge that was split are split again.

@@ -21,14 +21,15 @@ inline void build_mesh(const PolygonMesh& polygons, meshedit::HalfedgeMesh& mesh
 }
 
 /// Makes the elements around an edge anchor its half-edges, and the edge the other of its two:
-/// as right as what build() gives, and harder for a solution that forgets an anchor. The mesh
-/// must be right.
+/// as right as what build() gives, and harder for a solution that forgets an anchor. Only
+/// vertices inside: those on a boundary keep their boundary half-edge, so that this alone is
+/// not what most points of a solution that counts on it depend on. The mesh must be right.
 inline void anchor_on(meshedit::EdgeIter edge) {
   const meshedit::HalfedgeIter h = edge->halfedge()->twin();
   edge->halfedge() = h;
   for (const meshedit::HalfedgeIter& side : {h, h->twin()}) {
     side->face()->halfedge() = side;
-    side->vertex()->halfedge() = side;
+    if (!side->vertex()->isBoundary()) side->vertex()->halfedge() = side;
   }
 }
 

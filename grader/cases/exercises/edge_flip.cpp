@@ -53,6 +53,9 @@ void make_edge_flip_cases(CaseMaker& maker) {
     add_sequence(maker, "stress", file, 12, 10, random);
   }
   add_constant_work(maker);
+  for (const char* file : {"two_triangles.obj", "fan.obj", "umbrella.obj"}) {
+    add_every_edge_elsewhere(maker, "stress", OperationKind::kFlip, file, EdgeChoice::kInner);
+  }
 }
 
 void shrink_edge_flip_case(CaseMaker& maker, const Case& failed) {

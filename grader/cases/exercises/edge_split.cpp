@@ -18,6 +18,10 @@ void make_edge_split_cases(CaseMaker& maker) {
   for (const char* file : {"two_triangles.obj", "single_triangle.obj", "grid_4x4.obj"}) {
     add_split_sequence(maker, "boundary_split", file, 6, at_boundary);
   }
+  for (const char* file : {"single_triangle.obj", "fan.obj"}) {
+    add_every_edge_elsewhere(maker, "boundary_split", OperationKind::kSplit, file,
+                             EdgeChoice::kBoundary);
+  }
   Random random = maker.random("sequences");
   for (const char* file : {"tetrahedron.obj", "octahedron.off", "cube_crossed.obj",
                            "valence_zoo.obj", "grid_4x4.obj", "two_components.obj"}) {
@@ -25,6 +29,9 @@ void make_edge_split_cases(CaseMaker& maker) {
   }
   for (const char* file : {"octahedron.off", "icosahedron.obj", "torus.ply"}) {
     add_sequence(maker, "stress", file, 12, 5, random);
+  }
+  for (const char* file : {"two_triangles.obj", "fan.obj", "umbrella.obj"}) {
+    add_every_edge_elsewhere(maker, "stress", OperationKind::kSplit, file, EdgeChoice::kInner);
   }
 }
 
