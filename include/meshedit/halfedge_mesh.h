@@ -38,8 +38,8 @@
 //
 // After build() the half-edge of a boundary vertex is the boundary half-edge that leaves it,
 // and the half-edge of a boundary edge is the one inside. Your functions need not keep that:
-// any half-edge that leaves the vertex, or lies on the edge, is right. So none of your functions
-// may rely on it, either: flips and splits leave others behind.
+// any half-edge that leaves the vertex, or lies on the edge, is right. So none of your
+// functions may rely on it, either: flips and splits leave others behind.
 
 #include <cstddef>
 #include <cstdint>
