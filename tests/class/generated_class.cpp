@@ -82,9 +82,9 @@ void add_right(std::vector<KindOfWork>& kinds) {
 
 /// Files that do not compile and hold no word of the function: to the grader, it is missing.
 void add_hostile(std::vector<KindOfWork>& kinds) {
-  kinds.push_back(zero("garbage", "not implemented", std::string("\x00\xFF\x1B[2J\x07{{{", 9)));
-  kinds.push_back(zero("includes itself", "not implemented", "#include __FILE__\n"));
-  kinds.push_back(zero("includes a device", "not implemented",
+  kinds.push_back(zero("garbage", "not compiled", std::string("\x00\xFF\x1B[2J\x07{{{", 9)));
+  kinds.push_back(zero("includes itself", "not compiled", "#include __FILE__\n"));
+  kinds.push_back(zero("includes a device", "not compiled",
                        "#include \"/dev/null\"\n#error \033[31m ::error::forged\n"));
   kinds.push_back(
       zero("ends before main", "crashed",
