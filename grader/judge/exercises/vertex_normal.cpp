@@ -11,6 +11,34 @@
 namespace meshgrade {
 namespace {
 
+/// What is wrong with a normal: it is no number, it is too long, or it points elsewhere.
+Finding wrong_normal(const JudgeTask& task, const NormalInput& input, const WorstPoint& worst,
+                     const Point3& expected, const Point3& normal) {
+  const double norm = std::hypot(normal[0], normal[1], normal[2]);
+  const std::string vertex = vertex_name(static_cast<Ref>(worst.index));
+  if (!std::isfinite(norm)) {
+    const auto loops = boundary_loops(input.mesh);
+    const bool on_boundary = loops.count(static_cast<std::uint32_t>(worst.index)) != 0;
+    return make_finding(
+        "finite", "every coordinate is a finite number", "", vertex, point_text(expected),
+        point_text(normal),
+        std::string("a division by zero: has what is normalized the length 0?") +
+            (on_boundary ? " This vertex lies on the boundary: is any of its faces added up?"
+                         : ""));
+  }
+  if (std::abs(norm - 1.0) > task.tolerance) {
+    return make_finding(
+        "unit-length", "a normal has length 1", "", vertex, point_text(expected),
+        point_text(normal) + ", of length " + number_text(norm), "the end of Vertex::normal");
+  }
+  return make_finding("value",
+                      "the mean of the normals of the faces around, weighted by their areas",
+                      "", vertex, point_text(expected),
+                      point_text(normal) + ", off by " + number_text(worst.error, 2) +
+                          " (allowed: " + number_text(task.tolerance, 2) + ")",
+                      "which faces are counted in Vertex::normal, and with which weights");
+}
+
 void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
                  CaseJudgement& judgement) {
   const auto input = from_wire<NormalInput>(task.asked.input);
@@ -25,31 +53,8 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
     return;
   }
   judgement.verdict = Verdict::kFailed;
-  const Point3& normal = actual[worst.index];
-  const double norm = std::hypot(normal[0], normal[1], normal[2]);
-  const std::string vertex = vertex_name(static_cast<Ref>(worst.index));
-  const std::string expected_text = point_text(expected[worst.index]);
-  if (!std::isfinite(norm)) {
-    const auto loops = boundary_loops(input.mesh);
-    const bool on_boundary = loops.count(static_cast<std::uint32_t>(worst.index)) != 0;
-    judgement.findings.push_back(make_finding(
-        "finite", "every coordinate is a finite number", "", vertex, expected_text,
-        point_text(normal),
-        std::string("a division by zero: has what is normalized the length 0?") +
-            (on_boundary ? " This vertex lies on the boundary: is any of its faces added up?"
-                         : "")));
-  } else if (std::abs(norm - 1.0) > task.tolerance) {
-    judgement.findings.push_back(make_finding(
-        "unit-length", "a normal has length 1", "", vertex, expected_text,
-        point_text(normal) + ", of length " + number_text(norm), "the end of Vertex::normal"));
-  } else {
-    judgement.findings.push_back(make_finding(
-        "value", "the mean of the normals of the faces around, weighted by their areas", "",
-        vertex, expected_text,
-        point_text(normal) + ", off by " + number_text(worst.error, 2) +
-            " (allowed: " + number_text(task.tolerance, 2) + ")",
-        "which faces are counted in Vertex::normal, and with which weights"));
-  }
+  judgement.findings.push_back(
+      wrong_normal(task, input, worst, expected[worst.index], actual[worst.index]));
   judgement.findings.back().likely =
       recognize_normals(input.mesh, expected, actual, task.tolerance);
   mention_anchoring(input.anchoring, judgement);
