@@ -7,6 +7,7 @@
 #include <set>
 
 #include "grader/base/text.h"
+#include "grader/base/wire.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/operation_advice.h"
 #include "grader/judge/operation_model.h"
@@ -48,6 +49,23 @@ std::string edge_ends(const MeshDump& mesh, Ref edge) {
   return vertex_name(h.vertex) + "-" + vertex_name(mesh.halfedges[h.twin].vertex);
 }
 
+/// The elements that are there afterwards and were not before, "v4, e5"; empty if anything
+/// else is different, too.
+std::string only_new_elements(const MeshDump& before, MeshDump after) {
+  std::vector<std::string> names;
+  const auto cut = [&](const auto& old_list, auto& new_list, auto name) {
+    for (std::size_t i = old_list.size(); i < new_list.size(); ++i) {
+      if (new_list[i].live != 0) names.push_back(name(static_cast<Ref>(i)));
+    }
+    new_list.resize(old_list.size());
+  };
+  cut(before.vertices, after.vertices, vertex_name);
+  cut(before.edges, after.edges, edge_name);
+  cut(before.faces, after.faces, face_name);
+  cut(before.halfedges, after.halfedges, halfedge_name);
+  return to_wire(after) == to_wire(before) ? join(names, ", ") : "";
+}
+
 struct RightAnswer {
   MeshDump mesh;
   Ref split_vertex = kUnsetRef;
@@ -85,8 +103,13 @@ class StepJudge {
       add_figure(right.mesh, right.split_vertex);
       return;
     }
+    const std::string added = boundary_ ? only_new_elements(before_, after_) : "";
     if (same_mesh(before_)) {
       judge_untouched();
+    } else if (!added.empty()) {
+      report("counts", "a boundary edge that is not split or flipped leaves the mesh as it is",
+             edge_text(), "no element more than before", "new, and not used: " + added,
+             "calls of newVertex and the like above the check for a boundary: check first");
     } else if (operation_.kind == OperationKind::kFlip) {
       judge_flip();
     } else {
