@@ -27,10 +27,11 @@ struct CurveInput {
 struct CurveStep {
   std::vector<Point2> result;
   std::vector<Point2> input_after;  ///< the argument after the call
+  std::uint32_t keeps_members = 1;  ///< 0 if a member of the curve is another than before
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(result, input_after);
+    wire(result, input_after, keeps_members);
   }
 };
 

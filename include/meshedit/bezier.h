@@ -19,7 +19,8 @@ class BezierCurve {
 
   /// EXERCISE bezier_curve. One level of de Casteljau's algorithm.
   ///
-  /// @param points  the n points of one level, n >= 2. They stay as they are.
+  /// @param points  the n points of one level, n >= 2. They stay as they are, and so do the
+  ///                members of the curve.
   /// @return the n - 1 points of the next level: (1 - t) points[i] + t points[i + 1], in order,
   ///         with `t` the member of this class. Not the whole curve: whoever calls this
   ///         function repeats it until one point is left.

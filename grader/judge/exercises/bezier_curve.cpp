@@ -81,10 +81,18 @@ class StepsJudge {
   }
 
   bool leaves_input(const std::vector<Point2>& given, const CurveStep& step) {
-    if (step.input_after == given) return true;
-    report("input", "evaluateStep leaves the points that it is given as they are",
-           "the points that were passed in", "unchanged", "changed", "writes to `points`");
-    return false;
+    if (step.input_after != given) {
+      report("input", "evaluateStep leaves the points that it is given as they are",
+             "the points that were passed in", "unchanged", "changed", "writes to `points`");
+      return false;
+    }
+    if (step.keeps_members == 0) {
+      report("input", "evaluateStep leaves the members of the curve as they are",
+             "controlPoints, numControlPoints and t of the curve", "unchanged", "changed",
+             "writes to these members");
+      return false;
+    }
+    return true;
   }
 
   bool has_count(const std::vector<Point2>& given, const CurveStep& step) {
