@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <memory>
-#include <system_error>
+#include <string>
 #include <vector>
 
 #include "grader/base/errors.h"
@@ -30,6 +30,11 @@ void require(bool fine, archive* writer, const fs::path& file) {
   const char* why = ::archive_error_string(writer);
   throw UserError(file.string() +
                   ": cannot be written: " + (why == nullptr ? "unknown reason" : why));
+}
+
+la_ssize_t append(archive* /*writer*/, void* bytes, const void* data, std::size_t size) {
+  static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), size);
+  return static_cast<la_ssize_t>(size);
 }
 
 std::vector<fs::path> files_in(const fs::path& folder) {
@@ -65,20 +70,14 @@ void write_archive(const fs::path& folder, const fs::path& file) {
   if (::archive_write_set_format_filter_by_ext(writer.get(), file.c_str()) != ARCHIVE_OK) {
     throw UserError(file.string() + ": the name must end with .zip, .tar or .tar.gz");
   }
-  fs::path partial = file;
-  partial += ".partial";
-  try {
-    require(::archive_write_open_filename(writer.get(), partial.c_str()) == ARCHIVE_OK,
-            writer.get(), file);
-    for (const fs::path& name : files_in(folder))
-      add_file(writer.get(), folder, name, file);
-    require(::archive_write_close(writer.get()) == ARCHIVE_OK, writer.get(), file);
-    fs::rename(partial, file);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(partial, ignored);
-    throw;
-  }
+  std::string bytes;
+  ::archive_write_set_bytes_in_last_block(writer.get(), 1);  // no padding
+  require(::archive_write_open(writer.get(), &bytes, nullptr, append, nullptr) == ARCHIVE_OK,
+          writer.get(), file);
+  for (const fs::path& name : files_in(folder))
+    add_file(writer.get(), folder, name, file);
+  require(::archive_write_close(writer.get()) == ARCHIVE_OK, writer.get(), file);
+  write_file_safely(file, bytes);
 }
 
 }  // namespace meshgrade

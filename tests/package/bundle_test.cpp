@@ -16,6 +16,7 @@
 #include "grader/base/text.h"
 #include "grader/package/archive_writer.h"
 #include "grader/submission/archive.h"
+#include "tests/support/user_error.h"
 
 namespace meshgrade {
 namespace {
@@ -73,6 +74,14 @@ TEST_F(Bundle, ScriptsMayRunWherePermissionsAreKept) {
         << entry.path();
   }
   EXPECT_EQ(scripts, 5);
+}
+
+TEST_F(Bundle, AFileThatCannotBeWrittenIsNamedAsItWasGiven) {
+  const fs::path file = scratch_.path() / "missing" / "x.zip";
+  const std::string error =
+      user_error([&] { write_archive(kProject / "student_skeleton", file); });
+  EXPECT_EQ(error, file.string() +
+                       ": cannot be written: No such file or directory; make the folder first");
 }
 
 TEST_F(Bundle, OfGradescopeWritesItsResults) {
