@@ -1,6 +1,7 @@
 #include "grader/exports/exports.h"
 
 #include <cmath>
+#include <regex>
 
 #include "grader/base/text.h"
 #include "grader/exports/formats/formats.h"
@@ -20,9 +21,10 @@ const Export* find_by_name(const std::vector<Export>& all, const std::string& na
 
 const std::vector<ClassExport>& class_exports() {
   static const std::vector<ClassExport> all{
-      {"csv", "a table with a line for each person", "grades.csv", write_csv},
-      {"canvas", "a file to import in the gradebook of Canvas", "canvas.csv", write_canvas},
-      {"moodle", "Moodle's grading worksheet, filled in", "moodle.csv", write_moodle},
+      {"csv", "a table with a line for each person", "grades.csv", false, write_csv},
+      {"canvas", "a file to import in the gradebook of Canvas", "canvas.csv", true,
+       write_canvas},
+      {"moodle", "Moodle's grading worksheet, filled in", "moodle.csv", true, write_moodle},
   };
   return all;
 }
@@ -62,6 +64,26 @@ std::vector<std::string> export_names() {
   return names;
 }
 
+std::vector<std::string> gradebook_formats() {
+  std::vector<std::string> names;
+  for (const ClassExport& known : class_exports()) {
+    if (known.for_gradebook) names.emplace_back(known.name);
+  }
+  return names;
+}
+
+double full_points(const ClassResults& results, const ExportOptions& options) {
+  return options.out_of > 0.0 ? options.out_of : results.max_points;
+}
+
+double gradebook_number(std::string text) {
+  static const std::regex form("[0-9]+([.,][0-9]+)?");
+  if (!std::regex_match(text, form)) return std::nan("");
+  const std::size_t comma = text.find(',');
+  if (comma != std::string::npos) text[comma] = '.';
+  return std::stod(text);
+}
+
 void note_exceptions(const ClassResults& results,
                      const std::function<bool(const ClassRow&)>& was_found,
                      const std::string& in_words, std::vector<std::string>& notes) {
@@ -80,9 +102,7 @@ void note_exceptions(const ClassResults& results,
 std::string points_to_enter(const ClassRow& row, const ClassResults& results,
                             const ExportOptions& options) {
   double points = row.points + (options.extra_credit ? row.extra_points : 0.0);
-  if (options.out_of > 0.0 && results.max_points > 0.0) {
-    points *= options.out_of / results.max_points;
-  }
+  if (results.max_points > 0.0) points *= full_points(results, options) / results.max_points;
   return number_text(std::round(points * 100.0) / 100.0, 10);
 }
 

@@ -25,9 +25,10 @@ struct Exported {
 
 /// A form in which the grades of a whole class are written to one file.
 struct ClassExport {
-  const char* name;   ///< "canvas"
-  const char* title;  ///< for --help
-  const char* file;   ///< the usual name of the file
+  const char* name;    ///< "canvas"
+  const char* title;   ///< for --help
+  const char* file;    ///< the usual name of the file
+  bool for_gradebook;  ///< heeds a gradebook, a column and what full points are worth
   /// @throws UserError if the gradebook is of another form
   Exported (*write)(const ClassResults& results, const ExportOptions& options);
 };
@@ -57,6 +58,11 @@ const StudentExport* find_student_export(const std::string& name);
 
 /// Their names, for messages.
 std::vector<std::string> export_names();
+/// Those for gradebooks only.
+std::vector<std::string> gradebook_formats();
+
+/// What full points without extra credit are worth in the gradebook.
+double full_points(const ClassResults& results, const ExportOptions& options);
 
 /// The points to enter for a row; "87.5".
 std::string points_to_enter(const ClassRow& row, const ClassResults& results,

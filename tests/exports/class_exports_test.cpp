@@ -119,6 +119,17 @@ TEST(CanvasExport, FillsOneColumnOfTheGradebook) {
                           "dan gets 0 points (ungradable: no sources)"));
 }
 
+TEST(CanvasExport, FullPointsThatCanvasDoesNotExpectAreNoted) {
+  std::string gradebook = kCanvasGradebook;
+  gradebook.replace(gradebook.find("10,100,"), 7, "10,80.00,");
+  ExportOptions options = with_gradebook(gradebook, "Meshes");
+  const std::string note =
+      "full points are 100 here, but 80 points are possible in Canvas; scale with --out-of 80";
+  EXPECT_THAT(write("canvas", options).notes, testing::Contains(note));
+  options.out_of = 80.0;
+  EXPECT_THAT(write("canvas", options).notes, testing::Not(testing::Contains(note)));
+}
+
 TEST(CanvasExport, TheColumnIsFoundByTitleOrNumberOrAsked) {
   for (const char* name : {"Meshes", "Meshes (22)", "22"})
     EXPECT_THAT(write("canvas", with_gradebook(kCanvasGradebook, name)).text,

@@ -5,6 +5,7 @@
 // assignment are written, so that no other grade can change.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <regex>
 #include <set>
@@ -83,10 +84,13 @@ std::size_t find_column(const CsvRecord& header, std::size_t section, const std:
                   printable(join(names, ", ")));
 }
 
+bool is_points_possible(const CsvRecord& record) {
+  return text_at(record, 0).find("Points Possible") != std::string::npos;
+}
+
 /// Canvas writes rows that are no students: points possible, manual posting.
 bool is_student(const CsvRecord& record) {
-  return record.size() > 1 && !record[1].text.empty() &&
-         record[0].text.find("Points Possible") == std::string::npos;
+  return record.size() > 1 && !record[1].text.empty() && !is_points_possible(record);
 }
 
 class GradebookFilling {
@@ -105,6 +109,7 @@ class GradebookFilling {
       for (std::size_t j = 0; j <= section; ++j)
         fields.push_back(csv_field(text_at(records[i], j), separator));
       const bool other = i == 0 || !is_student(records[i]);
+      if (is_points_possible(records[i])) note_scale(text_at(records[i], column));
       fields.push_back(csv_field(
           other ? text_at(records[i], column) : score(records[i], records[0], section),
           separator));
@@ -117,6 +122,17 @@ class GradebookFilling {
   }
 
  private:
+  /// Canvas takes any points; nothing there says that full points are less than they should be.
+  void note_scale(const std::string& possible) {
+    const double there = gradebook_number(possible);
+    const double here = full_points(results_, options_);
+    if (std::isnan(there) || std::abs(there - here) < 1e-9) return;
+    exported_.notes.push_back(
+        "full points are " + number_text(here, 10) + " here, but " + number_text(there, 10) +
+        " points are possible in Canvas" +
+        (there > 0.0 ? "; scale with --out-of " + number_text(there, 10) : std::string()));
+  }
+
   /// Canvas itself looks for the ID first, then for the ids of the school.
   std::string score(const CsvRecord& record, const CsvRecord& header, std::size_t section) {
     const ClassRow* row = rows_.find(record[1].text);

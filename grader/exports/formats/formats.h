@@ -7,6 +7,9 @@
 
 namespace meshgrade {
 
+/// The number of a text with a decimal point or comma; not a number for any other text.
+double gradebook_number(std::string text);
+
 Exported write_csv(const ClassResults& results, const ExportOptions& options);
 Exported write_canvas(const ClassResults& results, const ExportOptions& options);
 Exported write_moodle(const ClassResults& results, const ExportOptions& options);

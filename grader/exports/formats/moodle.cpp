@@ -33,15 +33,6 @@ std::string participant(const std::string& identifier) {
   return std::regex_match(identifier, found, form) ? found[1].str() : std::string();
 }
 
-/// The number of a text with a point or a comma; not a number for any other text.
-double to_number(std::string text) {
-  static const std::regex form("[0-9]+([.,][0-9]+)?");
-  if (!std::regex_match(text, form)) return std::nan("");
-  const std::size_t comma = text.find(',');
-  if (comma != std::string::npos) text[comma] = '.';
-  return std::stod(text);
-}
-
 class WorksheetFilling {
  public:
   WorksheetFilling(const ClassResults& results, const ExportOptions& options)
@@ -96,7 +87,7 @@ class WorksheetFilling {
     for (const CsvRecord& record : records_) {
       for (const std::size_t column : {grade_, maximum_}) {
         const bool is_number =
-            column < record.size() && !std::isnan(to_number(record[column].text));
+            column < record.size() && !std::isnan(gradebook_number(record[column].text));
         comma_ = comma_ || (is_number && record[column].text.find(',') != std::string::npos);
       }
     }
@@ -111,7 +102,7 @@ class WorksheetFilling {
     if (!row.has_points()) return {};
     std::string points = points_to_enter(row, results_, options_);
     const double most =
-        maximum_ < record.size() ? to_number(record[maximum_].text) : std::nan("");
+        maximum_ < record.size() ? gradebook_number(record[maximum_].text) : std::nan("");
     if (std::stod(points) > most) {
       exported_.notes.push_back(row.key + " has " + points + " points, but the maximum in " +
                                 "Moodle is " + number_text(most, 10) +
