@@ -8,6 +8,7 @@
 #include "grader/app/context.h"
 #include "grader/app/export_target.h"
 #include "grader/app/grading.h"
+#include "grader/app/output_check.h"
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
 
@@ -22,11 +23,23 @@ struct AutogradeOptions {
   std::vector<std::string> writes;  ///< "gradescope=results.json"
 };
 
+/// Also refuses a submission that is not there: that is no student's doing.
+void check_files(const AutogradeOptions& options, const std::vector<ExportTarget>& targets) {
+  std::error_code error;
+  if (!std::filesystem::exists(options.submission, error)) {
+    throw UserError(options.submission +
+                    ": there is no such file or folder to grade; no result is written");
+  }
+  check_outputs(outputs_of(targets),
+                {options.submission, or_standard_assignment(options.assignment)});
+}
+
 /// Grades what the platform hands over, and writes what came of it, whatever that is.
 int autograde(const AutogradeOptions& options) {
   const std::vector<ExportTarget> targets = parse_export_targets(options.writes);
   const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
   require_hidden_seed(assignment);
+  check_files(options, targets);
   std::optional<Submission> submission;
   try {
     submission = find_submission(options.submission, assignment.submission);
@@ -35,6 +48,7 @@ int autograde(const AutogradeOptions& options) {
     write_exports(targets, ResultStatus::kUngradable, error.what());
     return 0;
   }
+  check_outputs(outputs_of(targets), files_of(*submission));
   try {
     const Report report =
         grade(assignment, *submission, find_home(), {}, [](const std::string&) {});
@@ -74,7 +88,8 @@ void add_autograde_command(CLI::App& app, int& exit_code) {
       "  meshgrade autograde . --write github-annotations=- --write markdown=summary.md\n"
       "A submission that holds nothing to grade gets a result that says so, and no points.\n"
       "`meshgrade bundle` writes all that a platform needs to call this.\n"
-      "Exit code: 0 the result is written, 2 bad usage, 3 an error of the grader: the result\n"
+      "Exit code: 0 the result is written, 2 bad usage or no such submission: nothing is\n"
+      "written, 3 an error of the grader: the result\n"
       "says so and gives no points, not even 0, where the format allows that.");
   command->callback([options, &exit_code] { exit_code = autograde(*options); });
 }

@@ -18,6 +18,7 @@
 #include "grader/app/figure_files.h"
 #include "grader/app/grader_identity.h"
 #include "grader/app/grading.h"
+#include "grader/app/output_check.h"
 #include "grader/app/require_sandbox.h"
 #include "grader/base/digest.h"
 #include "grader/base/errors.h"
@@ -165,10 +166,7 @@ void catch_interrupts() {
 
 /// Else the results would be taken for somebody's work the next time.
 void refuse_results_inside(const fs::path& submissions, const fs::path& results) {
-  std::error_code error;
-  const fs::path way = fs::weakly_canonical(results, error)
-                           .lexically_relative(fs::weakly_canonical(submissions, error));
-  if (error || way.empty() || *way.begin() == "..") return;
+  if (!lies_within(results, submissions)) return;
   throw UserError(results.string() + ": the results must not lie within what was handed in; " +
                   "name a folder elsewhere");
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "grader/app/context.h"
+#include "grader/app/output_check.h"
 #include "grader/assignment/assignment.h"
 #include "grader/package/bundle.h"
 
@@ -19,6 +20,7 @@ struct BundleOptions {
 
 int bundle(const BundleOptions& options) {
   const std::filesystem::path assignment = or_standard_assignment(options.assignment);
+  check_outputs({{"-o", options.output}}, {assignment});
   require_hidden_seed(read_assignment(assignment));
   write_bundle(options.host, source_folder(), assignment, options.output);
   std::cout << "wrote " << options.output << "\n";
@@ -41,7 +43,7 @@ void add_bundle_command(CLI::App& app, int& exit_code) {
   CLI::App* command =
       app.add_subcommand("bundle", "Write an autograder for Gradescope and the like");
   command->add_option("host", options->host, "One of those below")->required();
-  command->add_option("-o,--output", options->output, "The file: .zip, .tar or .tar.gz")
+  add_output_option(*command, "-o,--output", options->output, "The file: .zip, .tar or .tar.gz")
       ->required();
   command->add_option("--assignment", options->assignment,
                       "The assignment to grade (TOML); the standard one if not given");

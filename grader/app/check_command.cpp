@@ -9,6 +9,7 @@
 #include "grader/app/figure_files.h"
 #include "grader/app/grading.h"
 #include "grader/app/grading_options.h"
+#include "grader/app/output_check.h"
 #include "grader/app/progress_store.h"
 #include "grader/app/replay_command.h"
 #include "grader/app/require_sandbox.h"
@@ -39,9 +40,20 @@ std::string figures_text(std::size_t pictures, const std::string& folder) {
   return "\n" + plural(pictures, "picture") + " of what is wrong, in " + folder + "\n";
 }
 
+void check_files(const CheckOptions& options, const Submission& submission) {
+  std::vector<Output> outputs;
+  if (!options.json.empty()) outputs.push_back({"--json", options.json});
+  if (!options.html.empty()) outputs.push_back({"--html", options.html});
+  std::vector<std::filesystem::path> inputs = files_of(submission);
+  inputs.emplace_back(options.submission);
+  inputs.push_back(or_standard_assignment(options.assignment));
+  check_outputs(outputs, inputs);
+}
+
 int check(const CheckOptions& options) {
   const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
   const Submission submission = find_submission(options.submission, assignment.submission);
+  check_files(options, submission);
   const Home home = find_home();
   if (options.require_sandbox) require_sandbox(home.sandbox);
   const Progress progress = terminal_progress();
@@ -75,11 +87,11 @@ void add_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Grade one submission");
   add_grading_options(*command, *options);
-  command->add_option("--json", options->json, "Write the report to this file as JSON");
+  add_output_option(*command, "--json", options->json, "Write the report to this file as JSON");
   command->add_option("--figures", options->figures,
                       "Draw what is wrong: SVG pictures in this folder, one for each case");
-  command->add_option("--html", options->html,
-                      "Write the report to this file as a page for the browser");
+  add_output_option(*command, "--html", options->html,
+                    "Write the report to this file as a page for the browser");
   command->add_flag("-v,--verbose", options->verbose, "Show every case and every finding");
   command->add_flag("--require-sandbox", options->require_sandbox, kRequireSandboxHelp);
   command->footer(

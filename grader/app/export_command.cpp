@@ -1,11 +1,14 @@
 #include "grader/app/export_command.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "grader/app/export_target.h"
+#include "grader/app/output_check.h"
 #include "grader/base/errors.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
@@ -22,6 +25,7 @@ struct ExportCommandOptions {
   std::string format;
   std::string output;
   std::string gradebook;
+  std::optional<double> out_of;
   ExportOptions how;
   bool no_extra_credit = false;
 };
@@ -32,14 +36,26 @@ void make_folder(const fs::path& folder) {
   if (error) throw UserError(folder.string() + ": cannot be made: " + error.message());
 }
 
+/// What is read: the gradebook, and the results themselves.
+std::vector<fs::path> inputs_of(const ExportCommandOptions& options) {
+  std::vector<fs::path> inputs{options.gradebook};
+  std::error_code error;
+  for (fs::directory_iterator it(options.results, error), end; !error && it != end;
+       it.increment(error)) {
+    inputs.push_back(it->path());
+  }
+  return inputs;
+}
+
 void export_class(const ClassExport& format, const ClassResults& results,
                   const ExportCommandOptions& options) {
-  const Exported exported = format.write(results, options.how);
   fs::path file = options.output;
   if (file.empty()) {
     file = fs::path(options.results) / "exports" / format.file;
     make_folder(file.parent_path());
   }
+  check_outputs({{"-o", file}}, inputs_of(options));
+  const Exported exported = format.write(results, options.how);
   write_file_safely(file, exported.text);
   for (const std::string& note : exported.notes)
     std::cerr << "note: " << printable(note) << "\n";
@@ -67,6 +83,24 @@ void export_students(const StudentExport& format, const ClassResults& results,
             << "\n";
 }
 
+/// An option that a format cannot follow would be missed only in the gradebook.
+void check_options(const ExportCommandOptions& options, bool for_gradebook) {
+  if (options.out_of && !(std::isfinite(*options.out_of) && *options.out_of > 0.0)) {
+    throw UserError("--out-of: full points must be worth more than 0 there, and came " +
+                    number_text(*options.out_of));
+  }
+  if (for_gradebook) return;
+  const std::pair<const char*, bool> given[] = {{"--gradebook", !options.gradebook.empty()},
+                                                {"--column", !options.how.column.empty()},
+                                                {"--out-of", options.out_of.has_value()}};
+  for (const auto& [option, is_given] : given) {
+    if (is_given) {
+      throw UserError(options.format + " takes no " + option + ": it is for " +
+                      join(gradebook_formats(), " and "));
+    }
+  }
+}
+
 void run_export(ExportCommandOptions& options) {
   const ClassExport* of_class = find_class_export(options.format);
   const StudentExport* of_student = find_student_export(options.format);
@@ -74,7 +108,9 @@ void run_export(ExportCommandOptions& options) {
     throw UserError("there is no format \"" + options.format + "\"; there are " +
                     join(export_names(), ", "));
   }
+  check_options(options, of_class != nullptr && of_class->for_gradebook);
   const ClassResults results = load_class_results(options.results);
+  options.how.out_of = options.out_of.value_or(0.0);
   options.how.extra_credit = !options.no_extra_credit;
   options.how.time = time_of_export();
   if (!options.gradebook.empty()) options.how.gradebook = read_whole_file(options.gradebook);
@@ -108,15 +144,17 @@ void add_export_command(CLI::App& app, int& exit_code) {
   command->add_option("results", options->results, "The folder of `meshgrade batch -o`")
       ->required();
   command->add_option("format", options->format, "One of those below")->required();
-  command->add_option("-o,--output", options->output,
-                      "The file, or the folder for the students' files; RESULTS/exports/... if "
-                      "not given");
-  command->add_option("--gradebook", options->gradebook,
-                      "The file downloaded from the platform, to be filled in");
+  add_output_option(*command, "-o,--output", options->output,
+                    "The file, or the folder for the students' files; RESULTS/exports/... if "
+                    "not given");
+  command->add_option(
+      "--gradebook", options->gradebook,
+      "The file downloaded from the platform, to be filled in (canvas, moodle)");
   command->add_option("--column", options->how.column,
-                      "The assignment's column in the gradebook");
-  command->add_option("--out-of", options->how.out_of,
-                      "What full points are worth there: all points are scaled to it");
+                      "The assignment's column in the gradebook (canvas, moodle)");
+  command->add_option("--out-of", options->out_of,
+                      "What full points are worth there: all points are scaled to it (canvas, "
+                      "moodle)");
   command->add_flag("--no-extra-credit", options->no_extra_credit, "Leave out extra credit");
   command->footer(
       format_list() +

@@ -42,6 +42,13 @@ std::vector<ExportTarget> parse_export_targets(const std::vector<std::string>& t
   return targets;
 }
 
+std::vector<Output> outputs_of(const std::vector<ExportTarget>& targets) {
+  std::vector<Output> outputs;
+  for (const ExportTarget& target : targets)
+    outputs.push_back({std::string("--write ") + target.format->name, target.file});
+  return outputs;
+}
+
 void write_exports(const std::vector<ExportTarget>& targets, const Report& report) {
   if (report.has_grader_error()) {
     write_exports(targets, ResultStatus::kGraderError, "the grader failed in one of the cases");

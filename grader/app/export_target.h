@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/app/output_check.h"
 #include "grader/exports/exports.h"
 
 namespace meshgrade {
@@ -17,6 +18,9 @@ struct ExportTarget {
 /// From texts like "gradescope=results.json".
 /// @throws UserError if one is of another form, or names no format
 std::vector<ExportTarget> parse_export_targets(const std::vector<std::string>& texts);
+
+/// As they were named, to be checked.
+std::vector<Output> outputs_of(const std::vector<ExportTarget>& targets);
 
 /// Writes the result in all these forms; of hidden cases only what students may see.
 /// @throws UserError if a file cannot be written

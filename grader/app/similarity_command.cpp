@@ -6,6 +6,7 @@
 
 #include "grader/app/class_source.h"
 #include "grader/app/context.h"
+#include "grader/app/output_check.h"
 #include "grader/base/csv.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
@@ -33,7 +34,17 @@ std::string to_csv(const std::vector<SimilarPair>& pairs) {
   return text;
 }
 
+/// Whatever lies among the submissions may be somebody's work.
+void check_files(const SimilarityCommandOptions& options) {
+  if (options.output.empty()) return;
+  std::vector<std::filesystem::path> inputs{options.submissions,
+                                            or_standard_assignment(options.assignment)};
+  if (lies_within(options.output, options.submissions)) inputs.emplace_back(options.output);
+  check_outputs({{"-o", options.output}}, inputs);
+}
+
 void similarity(SimilarityCommandOptions& options) {
+  check_files(options);
   const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
   options.how.rules = assignment.submission;
   const std::filesystem::path skeleton = options.skeleton.empty()
@@ -75,7 +86,8 @@ void add_similarity_command(CLI::App& app, int& exit_code) {
   command->add_option("--top", options->top, "The most pairs to show");
   command->add_option("--least", options->how.least_percent, "Only from this percentage on")
       ->check(CLI::Range(1, 100));
-  command->add_option("-o,--output", options->output, "Write all pairs to this file (CSV)");
+  add_output_option(*command, "-o,--output", options->output,
+                    "Write all pairs to this file (CSV)");
   command->footer(
       "Needs Debian's similarity-tester. It compares tokens: other names, layout and comments\n"
       "make no difference. Short exercises have few good solutions, so many honest pairs "

@@ -9,6 +9,7 @@
 #include <new>
 #include <thread>
 
+#include "grader/app/output_check.h"
 #include "grader/base/errors.h"
 #include "grader/files/mesh_file.h"
 #include "grader/subdivide/direct_loop.h"
@@ -58,13 +59,6 @@ std::string counts(std::size_t vertices, std::size_t edges, std::size_t faces) {
          std::to_string(faces) + " faces";
 }
 
-void refuse_overwriting(const Arguments& arguments) {
-  std::error_code ignored;
-  if (fs::equivalent(arguments.in, arguments.out, ignored)) {
-    throw UserError(arguments.out.string() + ": is the input; give another name behind -o");
-  }
-}
-
 void subdivide_with_progress(DirectLoop& surface, DirectLoopOptions options) {
   ProgressBar bar;
   const std::size_t n_faces = surface.n_faces() << (2 * options.levels);
@@ -93,7 +87,7 @@ void convert_file(const Arguments& arguments, const PolygonMesh& mesh) {
 
 void run(const Arguments& arguments) {
   require_mesh_format(arguments.out);
-  refuse_overwriting(arguments);
+  check_outputs({{"-o", arguments.out}}, {arguments.in});
   const LoadedMesh loaded = read_mesh(arguments.in);
   for (const std::string& note : loaded.notes)
     std::cout << "note: " << note << "\n";

@@ -10,6 +10,7 @@ bash "$here/meshgrade" autograde "$here/.." \
   --write "markdown=$folder/summary.md" \
   --write "github-result=$folder/result.txt"
 status=$?
+[ -f "$folder/summary.md" ] || exit "$status"  # nothing was graded
 [ -z "${GITHUB_STEP_SUMMARY-}" ] || cat "$folder/summary.md" >>"$GITHUB_STEP_SUMMARY"
 [ -z "${GITHUB_OUTPUT-}" ] || printf 'result=%s\n' "$(cat "$folder/result.txt")" >>"$GITHUB_OUTPUT"
 exit "$status"
