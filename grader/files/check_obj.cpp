@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "grader/files/checked_input.h"
 #include "grader/files/file_bytes.h"
@@ -74,9 +75,33 @@ void check_face(TextScanner& scanner, CheckedInput& input, std::vector<ForwardFa
   ++input.n_faces;
 }
 
+/// Puts a line that goes on after a backslash onto one line. Empty lines follow it, so that
+/// the lines after it keep their numbers. Comments end with their line.
+std::string join_lines(std::string_view text) {
+  std::string joined;
+  std::size_t moved = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    const bool goes_on =
+        line.ends_with('\\') && line.find('#') == std::string_view::npos && !text.empty();
+    joined += goes_on ? line.substr(0, line.size() - 1) : line;
+    joined += goes_on ? ' ' : '\n';
+    moved += goes_on ? 1 : 0;
+    if (!goes_on) joined.append(std::exchange(moved, 0), '\n');
+  }
+  return joined;
+}
+
 }  // namespace
 
 CheckedInput check_obj(const std::filesystem::path& file, std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  std::string joined;
+  if (text.find('\\') != std::string_view::npos) text = joined = join_lines(text);
   TextScanner scanner(file, text);
   CheckedInput input;
   std::vector<ForwardFace> forward;

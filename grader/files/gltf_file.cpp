@@ -17,6 +17,7 @@ namespace {
 using Path = std::filesystem::path;
 
 constexpr std::size_t kDeepestNesting = 200;
+constexpr std::size_t kLongestError = 300;
 constexpr std::size_t kMostUnstoredElements = 1'000'000;
 
 /// tinygltf walks nested JSON by recursion.
@@ -49,8 +50,12 @@ std::uint32_t word_at(const std::string& bytes, std::size_t at) {
 /// would read past its end.
 std::string_view checked_glb_json(const Path& file, const std::string& bytes) {
   constexpr std::size_t kJsonBegin = 20;
-  if (bytes.size() < kJsonBegin || bytes.compare(0, 4, "glTF") != 0) {
+  if (bytes.compare(0, 4, "glTF") != 0) {
     refuse_file(file, "byte 0", "is not a binary glTF file (it does not start with glTF)");
+  }
+  if (bytes.size() < kJsonBegin) {
+    refuse_file(file, "byte " + std::to_string(bytes.size()),
+                "the file ends within its header; it is cut off");
   }
   const std::size_t total = word_at(bytes, 8);
   const std::size_t json_end = kJsonBegin + word_at(bytes, 12);
@@ -117,7 +122,10 @@ tinygltf::Model parse_model(const Path& file, const std::string& bytes) {
     error = fault.what();
   }
   if (!ok) {
-    const std::string first_line = error.substr(0, error.find('\n'));
+    // The parser may repeat the file, which may be one line, in what it says.
+    std::string first_line = error.substr(0, error.find('\n'));
+    if (first_line.size() > kLongestError)
+      first_line.replace(kLongestError, first_line.npos, "...");
     refuse_file(file, "", "is not a valid glTF file: " + first_line);
   }
   return model;

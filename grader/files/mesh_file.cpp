@@ -111,6 +111,10 @@ void check_for_writing(const Path& file, const PolygonMesh& mesh, const Format& 
 }  // namespace
 
 LoadedMesh read_mesh(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    refuse_file(file, "", "is a folder; name a file in it");
+  }
   const Format& format = format_of(file);
   const std::string bytes = read_bytes(file);
   LoadedMesh loaded = format.read(file, bytes);

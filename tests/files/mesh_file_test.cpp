@@ -1,5 +1,7 @@
 #include "grader/files/mesh_file.h"
 
+#include <gmock/gmock.h>
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -98,6 +100,20 @@ TEST_F(MeshFile, ObjIndicesMayBeNegativeAheadOrWithTextures) {
   EXPECT_EQ(mesh.polygons[1], (std::vector<std::uint32_t>{0, 2, 3}));
 }
 
+TEST_F(MeshFile, ObjMayBeginWithAByteOrderMarkAndJoinLines) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const LoadedMesh marked =
+      read_mesh(write("mark.obj", "\xEF\xBB\xBF" + corners + "f 1 2 3\n"));
+  EXPECT_EQ(marked.mesh.positions.size(), 3U);
+  const LoadedMesh joined =
+      read_mesh(write("joined.obj", "# C:\\temp\\\n" + corners + "f 1 \\\r\n 2 \\\n3\n"));
+  EXPECT_EQ(joined.mesh.positions.size(), 3U) << "a comment ends with its line";
+  EXPECT_EQ(joined.mesh.polygons, (std::vector<std::vector<std::uint32_t>>{{0, 1, 2}}));
+  EXPECT_THAT(fault_of(write("wrong.obj", corners + "f 1 \\\n2 3\nf 1 2 9\n")),
+              testing::StartsWith("wrong.obj:6: "))
+      << "the lines after it keep their numbers";
+}
+
 TEST_F(MeshFile, PlyIsReadInEveryEncodingWithItsOtherProperties) {
   const std::string elements =
       "element vertex 3\nproperty float x\nproperty uchar red\nproperty double y\n"
@@ -139,6 +155,20 @@ TEST_F(MeshFile, PlyIsReadInEveryEncodingWithItsOtherProperties) {
 TEST_F(MeshFile, UnknownFormatsAreRefusedWithTheKnownOnes) {
   EXPECT_EQ(fault_of(path("a.xyz")),
             "a.xyz: unknown mesh format '.xyz'; known are .obj .off .ply .stl .gltf .glb .dae");
+}
+
+TEST_F(MeshFile, AFolderIsCalledOneWhateverItsName) {
+  std::filesystem::create_directory(path("meshes"));
+  EXPECT_EQ(fault_of(path("meshes")), "meshes: is a folder; name a file in it");
+}
+
+TEST_F(MeshFile, DamagedGltfIsToldInAFewWords) {
+  EXPECT_EQ(fault_of(write("cut.glb", "glTF\x02")),
+            "cut.glb:byte 5: the file ends within its header; it is cut off");
+  const std::string told =
+      fault_of(write("long.gltf", "{\"asset\": {\"" + std::string(5000, 'x') + "\" 1}}"));
+  EXPECT_THAT(told, testing::HasSubstr("is not a valid glTF file: "));
+  EXPECT_LT(told.size(), 400U);
 }
 
 TEST_F(MeshFile, MissingFilesFoldersAndEmptyFilesAreToldApart) {
