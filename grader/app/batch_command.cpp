@@ -162,6 +162,7 @@ void catch_interrupts() {
   note.sa_handler = [](int) { interrupted = 1; };
   ::sigaction(SIGINT, &note, nullptr);
   ::sigaction(SIGTERM, &note, nullptr);
+  ::sigaction(SIGHUP, &note, nullptr);
 }
 
 /// Else the results would be taken for somebody's work the next time.

@@ -1,6 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <iostream>
+#include <sstream>
 
 #include "grader/app/autograde_command.h"
 #include "grader/app/batch_command.h"
@@ -20,11 +25,24 @@
 #include "grader/app/view_command.h"
 #include "grader/app/watch_command.h"
 #include "grader/base/errors.h"
+#include "grader/base/interrupt.h"
+#include "grader/base/text.h"
 
 namespace {
 
 constexpr int kBadUsage = 2;
 constexpr int kGraderFailed = 3;
+
+/// Else a mistyped command would be told to be an unexpected argument.
+void require_command(const CLI::App& app, int argc, char** argv) {
+  const std::string name = argc > 1 ? argv[1] : "-";
+  const auto commands = app.get_subcommands([](const CLI::App*) { return true; });
+  const bool is_known =
+      std::any_of(commands.begin(), commands.end(),
+                  [&](const CLI::App* command) { return command->get_name() == name; });
+  if (name.rfind('-', 0) == 0 || is_known) return;
+  throw meshgrade::UserError("there is no command \"" + name + "\"; see --help");
+}
 
 int run(int argc, char** argv) {
   int exit_code = 0;
@@ -52,24 +70,56 @@ int run(int argc, char** argv) {
   app.footer(
       "`meshgrade COMMAND --help` explains a command, with examples.\n"
       "The script ./meshgrade also knows self-test, bench and fuzz.");
+  require_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kBadUsage;
+    std::ostringstream complaint;
+    const bool asked_for_help = app.exit(error, std::cout, complaint) == 0;
+    std::cerr << meshgrade::printable(complaint.str());
+    return asked_for_help ? 0 : kBadUsage;
   }
   return exit_code;
+}
+
+/// File names and what students wrote come into messages: nothing of them rules the terminal.
+void say(const std::string& message) {
+  std::cerr << "meshgrade: " << meshgrade::printable(message) << "\n";
+}
+
+int run_and_explain(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const meshgrade::UserError& error) {
+    say(error.what());
+    return kBadUsage;
+  } catch (const std::exception& error) {
+    say(std::string("the grader itself failed: ") + error.what());
+    return kGraderFailed;
+  }
+}
+
+/// Output that is lost is no success. Who closes a pipe early (`| head`) has seen enough.
+int flush_output(int exit_code) {
+  errno = 0;
+  std::cout.flush();
+  if (std::cout && std::ferror(stdout) == 0) return exit_code;
+  if (errno == 0) std::fflush(stdout);  // it failed earlier: ask for the reason once more
+  if (errno == EPIPE) return exit_code;
+  say(std::string("standard output cannot be written") +
+      (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
+  return std::max(exit_code, kBadUsage);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  meshgrade::end_in_order_when_interrupted();
   try {
-    return run(argc, argv);
-  } catch (const meshgrade::UserError& error) {
-    std::cerr << "meshgrade: " << error.what() << "\n";
-    return kBadUsage;
-  } catch (const std::exception& error) {
-    std::cerr << "meshgrade: the grader itself failed: " << error.what() << "\n";
-    return kGraderFailed;
+    const int exit_code = flush_output(run_and_explain(argc, argv));
+    if (meshgrade::interruption() == 0) return exit_code;
+  } catch (const meshgrade::Interrupted& interrupted) {
+    meshgrade::end_by(interrupted);
   }
+  meshgrade::end_by({meshgrade::interruption()});
 }

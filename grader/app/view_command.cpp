@@ -43,6 +43,7 @@ sigset_t block_signals() {
   ::sigemptyset(&signals);
   ::sigaddset(&signals, SIGINT);
   ::sigaddset(&signals, SIGTERM);
+  ::sigaddset(&signals, SIGHUP);
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   return signals;
 }
@@ -126,7 +127,12 @@ int view(const ViewOptions& options) {
   const std::filesystem::path mesh = start.is_null() ? file : cube;
   StudentProgram program(assignment, home, options.submission);
   MeshSession session(program);
-  session.open(mesh.filename().string(), read_mesh(mesh).mesh);
+  const LoadedMesh loaded = read_mesh(mesh);
+  try {
+    session.open(mesh.filename().string(), loaded.mesh);
+  } catch (const UserError& error) {
+    throw UserError(mesh.string() + ": " + error.what());
+  }
   const Progress progress = terminal_progress();
   progress("compiling");
   session.rebuild();

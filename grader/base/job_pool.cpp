@@ -14,6 +14,7 @@
 #include <new>
 
 #include "grader/base/errors.h"
+#include "grader/base/interrupt.h"
 #include "grader/base/process.h"
 #include "grader/base/wire.h"
 
@@ -73,6 +74,7 @@ void leave_interrupts_to_the_parent() {
   nothing.sa_flags = SA_RESTART;
   ::sigaction(SIGINT, &nothing, nullptr);
   ::signal(SIGTERM, SIG_DFL);
+  ::signal(SIGHUP, SIG_DFL);
 }
 
 /// One process that takes jobs, and what it has written so far.
@@ -105,6 +107,7 @@ class Pool {
   bool wait() {
     while (is_open()) {
       if (asked_.stop && asked_.stop()) return false;
+      if (interruption() != 0) throw Interrupted{interruption()};
       std::vector<pollfd> files;
       for (const Helper& helper : helpers_)
         files.push_back({helper.output.get(), POLLIN, 0});  // a closed one, -1, is passed over

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "grader/base/errors.h"
+#include "grader/base/interrupt.h"
 #include "grader/base/process_tree.h"
 
 namespace meshgrade {
@@ -89,6 +90,7 @@ class Running {
 
  private:
   static constexpr std::chrono::milliseconds kBetweenLooks{5};
+  static constexpr std::chrono::milliseconds kNoticesInterrupts{200};
   static constexpr std::chrono::seconds kTimeToEndItsOwn{5};
 
   /// Whether a limit is reached; looks at memory and processes too, but not all the time.
@@ -103,7 +105,7 @@ class Running {
                               use.memory > command_.most_memory;
       next_look_ = now + kBetweenLooks;
     }
-    return result_.stopped();
+    return result_.stopped() || interruption() != 0;
   }
 
   bool watches_use() const { return command_.most_memory > 0 || command_.most_processes > 0; }
@@ -136,7 +138,7 @@ class Running {
     if (reached_limit()) return false;
     auto patience =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - Clock::now());
-    if (watches_use()) patience = std::min(patience, kBetweenLooks);
+    patience = std::min(patience, watches_use() ? kBetweenLooks : kNoticesInterrupts);
     pollfd ready{output_.get(), POLLIN, 0};
     const int count = ::poll(&ready, 1, static_cast<int>(patience.count()) + 1);
     if (count < 0) return errno == EINTR;
@@ -207,13 +209,19 @@ FileDescriptor make_scratch_file() {
 
 ScratchFolder::ScratchFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "meshgrade-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) fail("cannot make a temporary folder in " + name);
+  count_leftovers(1);
+  if (::mkdtemp(name.data()) == nullptr) {
+    count_leftovers(-1);
+    fail("cannot make a temporary folder in " + name);
+  }
   path_ = name;
 }
 
 ScratchFolder::~ScratchFolder() {
+  if (path_.empty()) return;
   std::error_code ignored;
-  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  std::filesystem::remove_all(path_, ignored);
+  count_leftovers(-1);
 }
 
 ProcessResult run_process(const Command& command) {
@@ -240,6 +248,7 @@ ProcessResult run_process(const Command& command) {
   char failed = 0;
   const bool started = ::read(failure.read_end.get(), &failed, 1) <= 0;
   ProcessResult result = Running(child, std::move(output.read_end), command).wait();
+  if (interruption() != 0) throw Interrupted{interruption()};
   if (!started) {
     throw GraderError("cannot run " + command.arguments.at(0) + ": is it installed?");
   }

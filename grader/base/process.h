@@ -32,7 +32,8 @@ class FileDescriptor {
 /// @throws GraderError if there is no room for one
 FileDescriptor make_scratch_file();
 
-/// A temporary folder that deletes itself with all it holds.
+/// A temporary folder that deletes itself with all it holds, also where a signal ends the
+/// program in order (interrupt.h).
 class ScratchFolder {
  public:
   /// @throws GraderError if it cannot be made
@@ -91,6 +92,7 @@ struct ProcessResult {
 
 /// Runs a program to its end, or to a limit, when it and its process group are killed.
 /// @throws GraderError if it cannot be started at all
+/// @throws Interrupted if this program is to end: then the other has ended already
 ProcessResult run_process(const Command& command);
 
 }  // namespace meshgrade
