@@ -125,6 +125,9 @@ void remember_or_warn(const fs::path& submission, const Report& report) {
 }
 
 fs::path given_or_last(const std::string& given, const ProgressStore& store) {
+  if (!given.empty() && !fs::exists(given)) {
+    throw UserError(given + ": there is no such file or folder");
+  }
   if (!given.empty()) return given;
   const std::optional<fs::path> last = store.last_submission();
   if (last && fs::exists(*last)) return *last;

@@ -40,8 +40,14 @@ void say(const CaseReport& told, const std::string& step) {
   if (!told.note.empty()) std::cout << ": " << printable(told.note);
   if (!told.findings.empty()) {
     const Finding& finding = told.findings[0].finding;
-    std::cout << ": " << finding.rule << ": at " << printable(finding.element) << ", expected "
-              << printable(finding.expected) << ", came " << printable(finding.actual);
+    std::cout << ": " << finding.rule;
+    const std::pair<const char*, const std::string*> parts[] = {
+        {": at ", &finding.element},
+        {", expected ", &finding.expected},
+        {", came ", &finding.actual}};
+    for (const auto& [before, part] : parts) {
+      if (!part->empty()) std::cout << before << printable(*part);
+    }
   }
   std::cout << "\n";
 }

@@ -145,7 +145,9 @@ const std::vector<Layout>& layouts() {
 
 Roster read_roster(const fs::path& folder, const RosterOptions& options) {
   if (!fs::is_directory(folder)) {
-    throw UserError(folder.string() + ": there is no such folder");
+    throw UserError(folder.string() + (fs::exists(folder)
+                                           ? ": is neither a folder nor an archive"
+                                           : ": there is no such folder"));
   }
   const Place place = find_place(folder, options.layout);
   Roster roster;
