@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
@@ -104,7 +106,8 @@ int flush_output(int exit_code) {
   errno = 0;
   std::cout.flush();
   if (std::cout && std::ferror(stdout) == 0) return exit_code;
-  if (errno == 0) std::fflush(stdout);  // it failed earlier: ask for the reason once more
+  // It failed earlier, where nobody kept the reason: a line's end more does no harm now.
+  if (errno == 0 && ::write(STDOUT_FILENO, "\n", 1) == 1) errno = 0;
   if (errno == EPIPE) return exit_code;
   say(std::string("standard output cannot be written") +
       (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
