@@ -4,19 +4,12 @@
 #include <algorithm>
 
 #include "grader/base/errors.h"
+#include "grader/base/safe_file.h"
 
 namespace meshgrade {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Standard output may be sent to a file: /dev/stdout is a link to that then.
-bool is_stream(const fs::path& file) {
-  std::error_code error;
-  const std::string name = file.string();
-  return name == "-" || name.rfind("/dev/", 0) == 0 || name.rfind("/proc/", 0) == 0 ||
-         fs::is_other(fs::status(file, error));
-}
 
 /// Files that are not there yet are told apart by their names.
 bool is_same_file(const fs::path& one, const fs::path& other) {
@@ -51,7 +44,7 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<fs::pat
   std::error_code error;
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const Output& output = outputs[i];
-    if (is_stream(output.file)) continue;
+    if (output.file == "-" || is_stream(output.file)) continue;
     check_place(output);
     for (const fs::path& input : inputs) {
       if (fs::is_regular_file(input, error) && is_same_file(input, output.file)) {

@@ -59,13 +59,6 @@ std::string explain(int reason) {
   throw UserError(file.string() + ": cannot be written: " + explain(reason));
 }
 
-/// A pipe or a device, such as /dev/stdout: to be written to, and never to be replaced.
-bool is_stream(const fs::path& file) {
-  std::error_code error;
-  const fs::file_status status = fs::status(file, error);
-  return fs::is_other(status);
-}
-
 /// What a link leads to: a file stays where it is.
 fs::path follow_links(const fs::path& file) {
   std::error_code error;
@@ -137,9 +130,16 @@ bool replace(const fs::path& target, const std::string& text) {
 
 }  // namespace
 
+bool is_stream(const fs::path& file) {
+  std::error_code error;
+  const std::string name = file.string();
+  return name.starts_with("/dev/") || name.starts_with("/proc/") ||
+         fs::is_other(fs::status(file, error));
+}
+
 void write_file_safely(const fs::path& file, const std::string& text) {
   if (is_stream(file)) {
-    const FileDescriptor fd(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
+    const FileDescriptor fd(::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
     if (!write_to_disk(fd.get(), text)) refuse(file, errno);
     return;
   }

@@ -5,10 +5,14 @@
 
 namespace meshgrade {
 
+/// A pipe or a device: to be written to, and never to be replaced. So is /dev/stdout, also
+/// where standard output goes to a file, at whose end the text is added then.
+bool is_stream(const std::filesystem::path& file);
+
 /// Writes a whole file, or nothing: to a temporary name of its own first, which is brought to
 /// the disk and then renamed. Whoever reads the file, even after a power cut, finds the old or
-/// the new text. A file that is there keeps its mode. Links are followed; a pipe or a device,
-/// such as /dev/stdout, is just written to.
+/// the new text. A file that is there keeps its mode. Links are followed; what is_stream() is
+/// just written to.
 /// @throws UserError if it cannot be written, or is there and is read-only
 void write_file_safely(const std::filesystem::path& file, const std::string& text);
 

@@ -1,5 +1,7 @@
 // What the program says of a wrong call, and how it ends then.
 
+#include <algorithm>
+
 #include "grader/base/safe_file.h"
 #include "tests/app/command_line.h"
 #include "tests/support/scratch_files.h"
@@ -34,6 +36,23 @@ TEST_F(Messages, AMistypedCommandIsNamed) {
   EXPECT_EQ(said.output, "meshgrade: there is no command \"nonsense\"; see --help\n");
 }
 
+// Also where only another exercise is asked for.
+TEST_F(Messages, AWrongOptionOfAnAssignmentIsRefusedWithItsLine) {
+  const fs::path file = folder_ / "a.toml";
+  std::string text = read_whole_file(MESHGRADE_SOURCE_DIR "/grader/assignment.toml");
+  const std::size_t at = text.find("vertex_rule");
+  const auto line =
+      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  text.replace(at, 11, "vertx_rule");
+  write_file_safely(file, text);
+  const Said said = call({"check", MESHGRADE_SOURCE_DIR "/reference", "bezier_curve",
+                          "--assignment", file.string()});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_THAT(said.output,
+              StartsWith("meshgrade: " + file.string() + ":" + std::to_string(line) +
+                         ": loop_subdivision has no option"));
+}
+
 TEST_F(Messages, LostOutputIsNoSuccess) {
   for (const std::string& arguments :
        {"mesh-info '" + mesh("cube.obj") + "'", std::string("hint edge_flip --all"),
@@ -44,6 +63,15 @@ TEST_F(Messages, LostOutputIsNoSuccess) {
                 HasSubstr("meshgrade: standard output cannot be written: No space"))
         << arguments;
   }
+}
+
+TEST_F(Messages, StandardOutputThatGoesToAFileIsNotReplaced) {
+  const fs::path file = folder_ / "both.txt";
+  call_in_shell("\"$0\" check '" MESHGRADE_SOURCE_DIR
+                "/reference' bezier_curve --color never --json /dev/stdout > '" +
+                file.string() + "'");
+  EXPECT_THAT(read_whole_file(file),
+              AllOf(StartsWith("Half-edge meshes"), HasSubstr("\"exercises\"")));
 }
 
 TEST_F(Messages, WhoHasSeenEnoughIsNotTold) {
