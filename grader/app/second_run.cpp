@@ -59,7 +59,7 @@ bool passes_alone(const Assignment& assignment, const Home& home, const Candidat
 /// passes then, says so. The points stay. A case that passes alone with the student's own
 /// function, too, fails for what was done before it.
 void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
-                            const Submission& submission,
+                            const Candidate& candidate,
                             const std::vector<JudgedExercise>& needed, ExerciseRun& run) {
   const auto& cases = run.judged.cases;
   const auto failed = std::find_if(cases.begin(), cases.end(), [](const JudgedCase& c) {
@@ -69,13 +69,12 @@ void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
   const Case& asked = run.cases[static_cast<std::size_t>(failed - cases.begin())];
   const ExerciseRubric& rubric = *needed.back().rubric;
   const std::vector<StandIn> stand_in{{rubric.name, find_exercise_judge(rubric).functions}};
-  const auto changed = with_stand_ins(submission, home, stand_in);
+  const auto changed = with_stand_ins(candidate.submission, home, stand_in);
   if (!changed) return;
   const Build build = build_submission(*changed, home, assignment.limits);
   if (!has_stand_ins(build, stand_in)) return;
   if (!passes_alone(assignment, home, {*changed, build}, *run.judged.rubric, asked)) return;
-  const Candidate own{submission, build_submission(submission, home, assignment.limits)};
-  if (passes_alone(assignment, home, own, *run.judged.rubric, asked)) return;
+  if (passes_alone(assignment, home, candidate, *run.judged.rubric, asked)) return;
   run.judged.notes.push_back("with a right " + rubric.name + " in place of yours, " +
                              asked.id() + " passes: your " + rubric.name +
                              " is right on its own, but leaves something else than this code "
@@ -101,7 +100,7 @@ const char* state_of(const JudgedExercise& exercise) {
 }  // namespace
 
 void run_with_stand_ins(const Assignment& assignment, const Home& home,
-                        const Submission& submission, const std::vector<JudgedExercise>& needed,
+                        const Candidate& candidate, const std::vector<JudgedExercise>& needed,
                         ExerciseRun& run) {
   std::vector<std::string> wrong;
   std::vector<StandIn> stand_ins;
@@ -114,9 +113,9 @@ void run_with_stand_ins(const Assignment& assignment, const Home& home,
     stand_ins.push_back({rubric.name, find_exercise_judge(rubric).functions});
   }
   if (stand_ins.empty())
-    return tell_what_it_relies_on(assignment, home, submission, needed, run);
+    return tell_what_it_relies_on(assignment, home, candidate, needed, run);
   const std::string causes = join(wrong, " and ");
-  const auto changed = with_stand_ins(submission, home, stand_ins);
+  const auto changed = with_stand_ins(candidate.submission, home, stand_ins);
   if (!changed) {
     run.judged.notes.push_back(
         "your instructor's grader runs it again with a right solution of " + causes +

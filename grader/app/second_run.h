@@ -17,7 +17,7 @@ namespace meshgrade {
 /// needs, judged.
 /// @throws GraderError if the grader itself fails
 void run_with_stand_ins(const Assignment& assignment, const Home& home,
-                        const Submission& submission, const std::vector<JudgedExercise>& needed,
+                        const Candidate& candidate, const std::vector<JudgedExercise>& needed,
                         ExerciseRun& run);
 
 }  // namespace meshgrade
