@@ -13,19 +13,25 @@ namespace meshgrade {
 
 enum class OperationKind : std::uint32_t { kFlip = 0, kSplit = 1 };
 
+/// Which half-edges the elements anchor to begin with: all of these are right.
+enum class Anchoring : std::uint32_t {
+  kAsBuilt = 0,
+  kOnEdge = 1,  ///< the first edge its other half-edge; its faces and inner ends the edge's own
+  kElsewhere = 2,  ///< every element of the mesh another one than as it is built
+};
+
+/// What a title adds for elements that are anchored in this way, after what is asked.
+inline const char* anchoring_text(Anchoring anchoring) {
+  return anchoring == Anchoring::kElsewhere ? ", each halfedge() another than after build()"
+                                            : "";
+}
+
 /// One flip or split. The edge is named by its end points, and these by their place among the
 /// live vertices, so that the numbering of a solution's new edges does not matter.
 struct Operation {
   OperationKind kind = OperationKind::kFlip;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-};
-
-/// Which half-edges the elements anchor to begin with: all of these are right.
-enum class Anchoring : std::uint32_t {
-  kAsBuilt = 0,
-  kOnEdge = 1,  ///< the first edge its other half-edge; its faces and inner ends the edge's own
-  kElsewhere = 2,  ///< every element of the mesh another one than as it is built
 };
 
 struct OperationsInput {

@@ -63,10 +63,9 @@ void add_every_edge_elsewhere(CaseMaker& maker, const std::string& group, Operat
                               const std::string& file, EdgeChoice choice) {
   const PolygonMesh mesh = maker.mesh(file);
   for (const VertexPair& edge : chosen_edges(mesh, choice)) {
-    add_operations(
-        maker, group,
-        edge_title(kind, edge, file, choice) + ", each halfedge() another than after build()",
-        {file, mesh, Anchoring::kElsewhere, {{kind, edge.first, edge.second}}});
+    add_operations(maker, group,
+                   edge_title(kind, edge, file, choice) + anchoring_text(Anchoring::kElsewhere),
+                   {file, mesh, Anchoring::kElsewhere, {{kind, edge.first, edge.second}}});
   }
 }
 

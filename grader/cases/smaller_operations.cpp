@@ -23,7 +23,7 @@ std::string title(const OperationsInput& input) {
     parts.push_back(verb(operation.kind) + std::string(" ") +
                     edge_text({operation.a, operation.b}));
   }
-  return join(parts, ", then ") + " of " + input.mesh_name;
+  return join(parts, ", then ") + " of " + input.mesh_name + anchoring_text(input.anchoring);
 }
 
 void add(CaseMaker& maker, const Case& failed, const OperationsInput& input) {

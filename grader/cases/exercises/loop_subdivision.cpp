@@ -16,9 +16,7 @@ void add(CaseMaker& maker, const std::string& group, const std::string& what,
          const PolygonMesh& mesh, std::uint32_t levels,
          Anchoring anchoring = Anchoring::kAsBuilt) {
   const std::uint64_t triangles = mesh.polygons.size() << (2U * levels);
-  const char* how =
-      anchoring == Anchoring::kElsewhere ? ", each halfedge() another than after build()" : "";
-  maker.add(group, plural(levels, "level") + " on " + what + how,
+  maker.add(group, plural(levels, "level") + " on " + what + anchoring_text(anchoring),
             10'000 + kStepsPerTriangle * triangles,
             SubdivisionInput{what, mesh, levels, anchoring});
 }

@@ -11,10 +11,8 @@ namespace {
 
 void add(CaseMaker& maker, const std::string& group, const std::string& title,
          const PolygonMesh& mesh, Anchoring anchoring = Anchoring::kAsBuilt) {
-  const char* how =
-      anchoring == Anchoring::kElsewhere ? ", each halfedge() another than after build()" : "";
-  maker.add(group, "the normals of " + title + how, 1000 + 400 * mesh.polygons.size(),
-            NormalInput{mesh, anchoring});
+  maker.add(group, "the normals of " + title + anchoring_text(anchoring),
+            1000 + 400 * mesh.polygons.size(), NormalInput{mesh, anchoring});
 }
 
 /// Gives a flat mesh hills, so that its normals differ.
