@@ -37,7 +37,7 @@ void check_files(const AutogradeOptions& options, const std::vector<ExportTarget
 /// Grades what the platform hands over, and writes what came of it, whatever that is.
 int autograde(const AutogradeOptions& options) {
   const std::vector<ExportTarget> targets = parse_export_targets(options.writes);
-  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
+  const Assignment assignment = load_assignment(options.assignment);
   require_hidden_seed(assignment);
   check_files(options, targets);
   std::optional<Submission> submission;

@@ -252,7 +252,7 @@ int run(const BatchCommandOptions& options, const Assignment& assignment, const 
 }
 
 int batch(const BatchCommandOptions& options) {
-  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
+  const Assignment assignment = load_assignment(options.assignment);
   choose_exercises(assignment, options.exercises);
   require_hidden_seed(assignment);
   std::optional<BatchFolder> folder;

@@ -21,7 +21,7 @@ struct BundleOptions {
 int bundle(const BundleOptions& options) {
   const std::filesystem::path assignment = or_standard_assignment(options.assignment);
   check_outputs({{"-o", options.output}}, {assignment});
-  require_hidden_seed(read_assignment(assignment));
+  require_hidden_seed(load_assignment(options.assignment));
   write_bundle(options.host, source_folder(), assignment, options.output);
   std::cout << "wrote " << options.output << "\n";
   return 0;

@@ -51,7 +51,7 @@ void check_files(const CheckOptions& options, const Submission& submission) {
 }
 
 int check(const CheckOptions& options) {
-  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
+  const Assignment assignment = load_assignment(options.assignment);
   const Submission submission = find_submission(options.submission, assignment.submission);
   check_files(options, submission);
   const Home home = find_home();

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "grader/base/errors.h"
+#include "grader/judge/judge.h"
 #include "grader/sandbox/system_paths.h"
 
 namespace meshgrade {
@@ -77,6 +78,13 @@ std::filesystem::path standard_assignment() {
 
 std::filesystem::path or_standard_assignment(const std::string& file) {
   return file.empty() ? standard_assignment() : std::filesystem::path(file);
+}
+
+Assignment load_assignment(const std::string& file) {
+  Assignment assignment = read_assignment(or_standard_assignment(file));
+  for (const ExerciseRubric& rubric : assignment.exercises)
+    find_exercise_judge(rubric);
+  return assignment;
 }
 
 void require_hidden_seed(const Assignment& assignment) {

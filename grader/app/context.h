@@ -24,6 +24,11 @@ std::filesystem::path standard_assignment();
 /// The file that was named, or the standard assignment.
 std::filesystem::path or_standard_assignment(const std::string& file);
 
+/// The file that was named, or the standard assignment, read. Its exercises and their options
+/// exist.
+/// @throws UserError that names the file, the line and the key
+Assignment load_assignment(const std::string& file);
+
 /// What counts must not be graded without the cases that it is to be graded by.
 /// @throws UserError if the assignment has hidden cases whose seed is not there
 void require_hidden_seed(const Assignment& assignment);

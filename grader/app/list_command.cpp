@@ -46,7 +46,7 @@ std::string points_text(double points, double max_points) {
 }
 
 int list(const ListOptions& options) {
-  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
+  const Assignment assignment = load_assignment(options.assignment);
   const ProgressStore store = personal_store();
   const SubmissionProgress progress = store.load(given_or_last(options.submission, store));
   std::cout << progress.submission.string() << "\n\n"

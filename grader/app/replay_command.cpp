@@ -40,7 +40,7 @@ struct Replay {
 
 Replay prepare(const ReplayOptions& options) {
   Replay replay;
-  replay.assignment = read_assignment(or_standard_assignment(options.assignment));
+  replay.assignment = load_assignment(options.assignment);
   replay.asked = find_case(replay.assignment, find_home().meshes, options.case_id);
   replay.submission = find_submission(given_or_last(options.submission, personal_store()),
                                       replay.assignment.submission);

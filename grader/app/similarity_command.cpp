@@ -45,7 +45,7 @@ void check_files(const SimilarityCommandOptions& options) {
 
 void similarity(SimilarityCommandOptions& options) {
   check_files(options);
-  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
+  const Assignment assignment = load_assignment(options.assignment);
   options.how.rules = assignment.submission;
   const std::filesystem::path skeleton = options.skeleton.empty()
                                              ? source_folder() / "student_skeleton"

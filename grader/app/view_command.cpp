@@ -114,7 +114,7 @@ int view(const ViewOptions& options) {
   const PictureRequest request =
       for_picture ? read_request(options.screenshot) : PictureRequest();
   const Home home = find_home();
-  const Assignment assignment = read_assignment(or_standard_assignment(options.assignment));
+  const Assignment assignment = load_assignment(options.assignment);
   const std::filesystem::path cube = home.meshes / "cube.obj";
   const std::filesystem::path file =
       options.mesh.empty() ? cube : std::filesystem::path(options.mesh);

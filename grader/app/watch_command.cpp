@@ -90,8 +90,7 @@ std::string clock_time() {
 class Watch {
  public:
   explicit Watch(const GradingOptions& options)
-      : options_(options),
-        assignment_(read_assignment(or_standard_assignment(options.assignment))) {
+      : options_(options), assignment_(load_assignment(options.assignment)) {
     choose_exercises(assignment_, options.exercises);  // a wrong name is told at once
     style_.color = use_color(options.color);
     style_.all_shown_by =

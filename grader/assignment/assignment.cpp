@@ -87,14 +87,17 @@ class Section {
   }
 
   /// All keys of this table with their values, which must be texts.
-  std::map<std::string, std::string> all_texts() {
-    std::map<std::string, std::string> texts;
+  std::map<std::string, Option> all_options() {
+    std::map<std::string, Option> options;
     for (const auto& [key, node] : table_) {
       const std::string name(key.str());
-      texts[name] = require<std::string>(name);
+      options[name] = {require<std::string>(name), place_of(node)};
     }
-    return texts;
+    return options;
   }
+
+  /// Where the table begins.
+  std::string place() const { return place_of(table_); }
 
   void refuse_unknown_keys() const {
     for (const auto& [key, node] : table_) {
@@ -109,12 +112,17 @@ class Section {
   }
 
  private:
+  /// "assignment.toml:42"
+  std::string place_of(const toml::node& node) const {
+    return file_ + ":" + std::to_string(node.source().begin.line);
+  }
+
   std::string full(const std::string& key) const {
     return path_.empty() ? key : path_ + "." + key;
   }
 
   [[noreturn]] void fail(const toml::node& node, const std::string& what) const {
-    throw UserError(file_ + ":" + std::to_string(node.source().begin.line) + ": " + what);
+    throw UserError(place_of(node) + ": " + what);
   }
 
   template <class T>
@@ -205,6 +213,7 @@ void read_seed(HiddenCases& hidden, const std::filesystem::path& assignment) {
 
 Group read_group(Section& section, const std::vector<Group>& before) {
   Group group;
+  group.place = section.place();
   group.name = section.require<std::string>("name");
   group.title = section.get<std::string>("title", group.name);
   group.points = section.require_at_least("points", 0.0);
@@ -226,6 +235,7 @@ Group read_group(Section& section, const std::vector<Group>& before) {
 
 ExerciseRubric read_exercise(Section& section, const Assignment& assignment) {
   ExerciseRubric exercise;
+  exercise.place = section.place();
   exercise.name = section.require<std::string>("name");
   if (assignment.find(exercise.name) != nullptr) {
     section.fail_at("name", "\"" + exercise.name + "\" is there twice");
@@ -237,7 +247,7 @@ ExerciseRubric read_exercise(Section& section, const Assignment& assignment) {
       section.fail_at("needs", "names \"" + name + "\", which is no exercise before this one");
     }
   }
-  exercise.options = section.section("options").all_texts();
+  exercise.options = section.section("options").all_options();
   for (Section& group : section.sections("group")) {
     exercise.groups.push_back(read_group(group, exercise.groups));
   }

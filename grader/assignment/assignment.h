@@ -17,14 +17,22 @@ struct Group {
   bool extra_credit = false;  ///< points on top, not needed for a full score
   bool partial = false;       ///< points in proportion to the cases passed, else all or none
   std::string needs;          ///< a group that must earn something before this one counts
+  std::string place;          ///< "assignment.toml:42", for messages
+};
+
+/// A setting of an exercise's own.
+struct Option {
+  std::string value;
+  std::string place;  ///< "assignment.toml:42", for messages
 };
 
 struct ExerciseRubric {
-  std::string name;                            ///< "edge_flip"
-  std::string title;                           ///< "Edge flip"
-  std::vector<std::string> needs;              ///< exercises whose functions this one calls
-  std::map<std::string, std::string> options;  ///< settings of the exercise's own
+  std::string name;                       ///< "edge_flip"
+  std::string title;                      ///< "Edge flip"
+  std::vector<std::string> needs;         ///< exercises whose functions this one calls
+  std::map<std::string, Option> options;  ///< by their names
   std::vector<Group> groups;
+  std::string place;  ///< "assignment.toml:42", for messages
 
   double points() const;        ///< without extra credit
   double extra_points() const;  ///< extra credit

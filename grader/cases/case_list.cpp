@@ -38,8 +38,7 @@ const std::map<std::string, Makers>& all_makers() {
 const Makers& makers_of(const ExerciseRubric& rubric) {
   const auto found = all_makers().find(rubric.name);
   if (found == all_makers().end()) {
-    throw UserError("the assignment names the exercise \"" + rubric.name +
-                    "\", which does not exist");
+    throw UserError(rubric.place + ": there is no exercise \"" + rubric.name + "\"");
   }
   return found->second;
 }
@@ -102,8 +101,8 @@ std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric&
   for (const Group& group : rubric.groups) {
     const auto in_group = [&](const Case& c) { return c.group == group.name; };
     if (std::none_of(made.begin(), made.end(), in_group)) {
-      throw UserError("the assignment names the group \"" + group.name + "\" of " +
-                      rubric.name + ", which has no cases");
+      throw UserError(group.place + ": " + rubric.name + " has no cases for a group \"" +
+                      group.name + "\"");
     }
   }
   return made;

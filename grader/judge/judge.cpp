@@ -262,8 +262,7 @@ ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric) {
   };
   const auto found = judges.find(rubric.name);
   if (found == judges.end()) {
-    throw UserError("the assignment names the exercise \"" + rubric.name +
-                    "\", which does not exist");
+    throw UserError(rubric.place + ": there is no exercise \"" + rubric.name + "\"");
   }
   return found->second(rubric);
 }

@@ -16,9 +16,9 @@ bool contains(const std::vector<std::string>& list, const std::string& value) {
 
 void refuse_unknown_options(const ExerciseRubric& rubric,
                             const std::vector<std::string>& known) {
-  for (const auto& [option, value] : rubric.options) {
-    if (contains(known, option)) continue;
-    throw UserError("assignment: " + rubric.name + " has no option \"" + option + "\"" +
+  for (const auto& [name, option] : rubric.options) {
+    if (contains(known, name)) continue;
+    throw UserError(option.place + ": " + rubric.name + " has no option \"" + name + "\"" +
                     (known.empty() ? "" : "; it knows " + join(known, ", ")));
   }
 }
@@ -27,9 +27,10 @@ std::string choose_option(const ExerciseRubric& rubric, const std::string& optio
                           const std::vector<std::string>& choices) {
   const auto found = rubric.options.find(option);
   if (found == rubric.options.end()) return choices.at(0);
-  if (contains(choices, found->second)) return found->second;
-  throw UserError("assignment: the option " + option + " of " + rubric.name +
-                  " must be one of " + join(choices, ", ") + ", not \"" + found->second + "\"");
+  const auto& [value, place] = found->second;
+  if (contains(choices, value)) return value;
+  throw UserError(place + ": the option " + option + " of " + rubric.name + " must be one of " +
+                  join(choices, ", ") + ", not \"" + value + "\"");
 }
 
 }  // namespace meshgrade

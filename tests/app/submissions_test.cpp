@@ -105,7 +105,7 @@ Report grade_folder(const fs::path& folder, const Expectation& expected,
   for (ExerciseRubric& rubric : assignment.exercises) {
     if (rubric.name != folder.parent_path().filename()) continue;
     for (const auto& [option, value] : expected.options)
-      rubric.options.at(option) = value;
+      rubric.options.at(option).value = value;
   }
   Submission submission = submission_in(folder, expected.alone, assignment.submission);
   if (!exercises.empty()) drop_other_files(submission, exercises);

@@ -159,16 +159,17 @@ TEST(JudgeCase, CurveStepsAreToldApartByWhatIsWrong) {
 
 TEST(JudgeOptions, UnknownOnesAreRefusedWithTheNamesOfTheChoices) {
   ExerciseRubric rubric = *standard_rubric().find("loop_subdivision");
-  rubric.options["vertex_rule"] = "butterfly";
+  rubric.options["vertex_rule"] = {"butterfly", "a.toml:7"};
   const std::string wrong_value = user_error([&] { find_exercise_judge(rubric); });
-  for (const char* word : {"vertex_rule", "butterfly", "either", "loop", "warren"})
+  for (const char* word :
+       {"a.toml:7: ", "vertex_rule", "butterfly", "either", "loop", "warren"})
     EXPECT_NE(wrong_value.find(word), std::string::npos) << wrong_value;
-  rubric.options = {{"vertex", "loop"}};
+  rubric.options = {{"vertex", {"loop", "a.toml:3"}}};
   const std::string wrong_name = user_error([&] { find_exercise_judge(rubric); });
-  for (const char* word : {"\"vertex\"", "vertex_rule", "corner_rule"})
+  for (const char* word : {"a.toml:3: ", "\"vertex\"", "vertex_rule", "corner_rule"})
     EXPECT_NE(wrong_name.find(word), std::string::npos) << wrong_name;
   ExerciseRubric flip = *standard_rubric().find("edge_flip");
-  flip.options["anything"] = "x";
+  flip.options["anything"].value = "x";
   EXPECT_NE(user_error([&] { find_exercise_judge(flip); }).find("anything"), std::string::npos);
   flip.name = "edge_collapse";
   EXPECT_NE(user_error([&] { find_exercise_judge(flip); }).find("edge_collapse"),

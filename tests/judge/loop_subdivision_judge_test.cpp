@@ -13,7 +13,7 @@ const char* const kLoop = "Loop's weights";
 class LoopJudge {
  public:
   explicit LoopJudge(const std::string& vertex_rule = "either") {
-    rubric_.options["vertex_rule"] = vertex_rule;
+    rubric_.options["vertex_rule"].value = vertex_rule;
     judge_ = find_exercise_judge(rubric_);
     conventions_ = judge_.conventions;
   }
