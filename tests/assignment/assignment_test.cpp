@@ -94,7 +94,7 @@ TEST(Assignment, EveryKeyIsRead) {
   EXPECT_EQ(a.submission.file_kb, 8U);
   const ExerciseRubric& first = a.exercises[0];
   EXPECT_EQ(first.title, "A");
-  EXPECT_EQ(first.options.at("x"), "y");
+  EXPECT_EQ(first.options.at("x").value, "y");
   EXPECT_TRUE(first.groups[0].partial);
   EXPECT_TRUE(first.groups[1].extra_credit);
   EXPECT_EQ(first.groups[1].needs, "g");
