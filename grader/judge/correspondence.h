@@ -22,9 +22,14 @@ struct Correspondence {
   }
 };
 
-/// Finds the correspondence with the fewest wrong pointers. Free are the elements that are new,
-/// the half-edges and faces of `edge`, and after a split `edge` itself.
+/// Finds the correspondence with the fewest wrong pointers, over all right answers: any
+/// half-edge around `edge`, old or new, may take any place, and so may the faces beside it, and
+/// after a split `edge` itself. Vertices and all other edges stand for themselves.
+///
+/// @param before, expected  keep all mesh rules
+/// @param after  may be broken in any way
+/// @param split_vertex  the new vertex of `expected`, unset after a flip
 Correspondence find_correspondence(const MeshDump& before, const MeshDump& after,
-                                   const MeshDump& expected, Ref edge, bool is_split);
+                                   const MeshDump& expected, Ref edge, Ref split_vertex);
 
 }  // namespace meshgrade

@@ -365,10 +365,10 @@ void add_far_sides(const MeshDump& after, const MeshDump& expected, const Corres
     cast.add_far_side(pointers_of(expected, cell.kind, cell.element)[cell.pointer]);
     const Ref own = counterpart(match, cell.kind, cell.element);
     if (!exists(after, cell.kind, own)) continue;
-    // Half-edges on a far side are not free: they stand for themselves.
     const Ref target = pointers_of(after, cell.kind, own)[cell.pointer];
-    if (target < match.halfedges.size() && match.halfedges[target] == target) {
-      cast.add_far_side(target);
+    const auto part = std::find(match.halfedges.begin(), match.halfedges.end(), target);
+    if (part != match.halfedges.end() && exists(after, Kind::kHalfedge, target)) {
+      cast.add_far_side(static_cast<Ref>(part - match.halfedges.begin()));
     }
   }
 }

@@ -30,7 +30,7 @@ class Differ {
         edge_(edge),
         split_vertex_(split_vertex),
         diamond_(diamond_of(before, edge)),
-        match_(find_correspondence(before, after, expected, edge, split_vertex != kUnsetRef)) {
+        match_(find_correspondence(before, after, expected, edge, split_vertex)) {
     letters_ = {{diamond_.a, "a"},
                 {diamond_.b, "b"},
                 {diamond_.c, "c"},
