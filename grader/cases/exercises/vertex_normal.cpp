@@ -22,6 +22,24 @@ PolygonMesh bent(const PolygonMesh& mesh) {
   });
 }
 
+/// A closed mesh with one more vertex inside of its first face, so near to an edge that one of
+/// the three new faces is a needle.
+PolygonMesh with_needle(PolygonMesh mesh) {
+  constexpr double kThin = 1e-6;
+  const std::vector<std::uint32_t> face = mesh.polygons.at(0);
+  const auto at = static_cast<std::uint32_t>(mesh.positions.size());
+  Point3 inside{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double along = 0.5 * (mesh.positions[face[0]][axis] + mesh.positions[face[1]][axis]);
+    inside[axis] = (1.0 - kThin) * along + kThin * mesh.positions[face[2]][axis];
+  }
+  mesh.positions.push_back(inside);
+  mesh.polygons[0] = {face[0], face[1], at};
+  mesh.polygons.push_back({face[1], face[2], at});
+  mesh.polygons.push_back({face[2], face[0], at});
+  return mesh;
+}
+
 PolygonMesh turned(const PolygonMesh& mesh) {
   return mapped(mesh, [](const Point3& p) {
     const double c = std::cos(1.0);
@@ -67,10 +85,13 @@ void make_vertex_normal_cases(CaseMaker& maker) {
     add(maker, "boundary", std::string(file) + ", bent", bent(maker.mesh(file)),
         Anchoring::kElsewhere);
   }
-  for (const char* file :
-       {"sliver.obj", "needle.obj", "double_torus.obj", "two_components.obj"}) {
+  add(maker, "boundary", "needle.obj", maker.mesh("needle.obj"));
+  // Closed meshes only: what the boundary costs, its own group has charged.
+  add(maker, "stress", "sliver.obj", maker.mesh("sliver.obj"));
+  add(maker, "stress", "an octahedron with a needle for a face",
+      in_build_order(with_needle(maker.mesh("octahedron.off"))));
+  for (const char* file : {"double_torus.obj", "two_components.obj"})
     add(maker, "stress", file, maker.mesh(file));
-  }
   const PolygonMesh shaken = jittered(maker.mesh("icosahedron.obj"), 0.2, random);
   add(maker, "stress", "a shaken icosahedron, 10,000 times larger", scaled(shaken, 1e4));
   add(maker, "stress", "a shaken icosahedron, 10,000 times smaller", scaled(shaken, 1e-4));
