@@ -57,6 +57,8 @@ struct CaseJudgement {
   std::string note;               ///< for example why the case is not judged
   /// Not judged, because the judge saw that another exercise is to blame: takes no points.
   bool excused = false;
+  /// The code keeps something from one call to the next: alone, this case passes.
+  bool passes_alone = false;
   MeshScene scene;      ///< the step that went wrong, for a viewer; mostly empty
   Deviation deviation;  ///< of a subdivision, where it was asked for; else empty
 };

@@ -72,6 +72,7 @@ Json to_value(const CaseReport& report) {
              {"output_bytes", report.output_bytes}};
   if (!report.shrunk_from.empty()) value["shrunk_from"] = report.shrunk_from;
   if (report.excused) value["excused"] = true;
+  if (report.passes_alone) value["passes_alone"] = true;
   if (report.hidden) value["hidden"] = true;
   if (!report.figure.empty()) value["figure"] = report.figure;
   value["findings"] = Json::array();

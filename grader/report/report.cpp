@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "grader/base/text.h"
+#include "grader/report/endless_loop.h"
 
 namespace meshgrade {
 namespace {
@@ -24,8 +26,15 @@ class SourceLines {
     for (const auto* list : {&submission.sources, &submission.headers}) {
       for (const SourceFile& file : *list) {
         lines_[file.name] = split_lines(printable(file.text));
+        texts_[file.name] = file.text;
       }
     }
+  }
+
+  /// All of a file; empty if the submission has none of this name.
+  std::string text(const std::string& file) const {
+    const auto found = texts_.find(file);
+    return found == texts_.end() ? "" : found->second;
   }
 
   std::string line(const std::string& file, int number) const {
@@ -37,7 +46,32 @@ class SourceLines {
 
  private:
   std::map<std::string, std::vector<std::string>> lines_;
+  std::map<std::string, std::string> texts_;
 };
+
+/// The loop that does not end, in place of the line in which it was stopped: the innermost one
+/// that does not count, or else the innermost one. Frames inside of it go.
+std::vector<StackFrame> at_the_loop(const std::vector<StackFrame>& stack,
+                                    const SourceLines& sources) {
+  std::optional<std::size_t> chosen;
+  EnclosingLoop told;
+  for (std::size_t i = 0; i < stack.size(); ++i) {
+    const auto loop = enclosing_loop(sources.text(stack[i].file), stack[i].line);
+    if (!loop || (chosen && loop->counts)) continue;
+    chosen = i;
+    told = *loop;
+    if (!loop->counts) break;
+  }
+  if (!chosen) return stack;
+  std::vector<StackFrame> frames(stack.begin() + static_cast<std::ptrdiff_t>(*chosen),
+                                 stack.end());
+  frames[0].line = told.line;
+  return frames;
+}
+
+bool is_endless(const Finding& finding) {
+  return finding.rule == "out-of-time" || finding.rule == "out-of-steps";
+}
 
 std::vector<CodePlace> to_places(const std::vector<StackFrame>& stack,
                                  const SourceLines& sources) {
@@ -59,12 +93,16 @@ CaseReport to_case_report(const JudgedCase& judged, const SourceLines& sources) 
   report.verdict = judged.judgement.verdict;
   report.note = judged.judgement.note;
   report.excused = judged.judgement.excused;
+  report.passes_alone = judged.judgement.passes_alone;
   report.hidden = judged.asked.hidden;
   report.scene = judged.judgement.scene;
   report.output = judged.output;
   report.output_bytes = judged.output_bytes;
   for (const Finding& finding : judged.judgement.findings) {
-    report.findings.push_back({finding, to_places(finding.stack, sources)});
+    report.findings.push_back(
+        {finding,
+         to_places(is_endless(finding) ? at_the_loop(finding.stack, sources) : finding.stack,
+                   sources)});
   }
   return report;
 }

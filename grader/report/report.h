@@ -34,9 +34,10 @@ struct CaseReport {
   Verdict verdict = Verdict::kPassed;
   std::vector<FindingReport> findings;
   std::string note;
-  bool excused = false;  ///< does not count: see CaseJudgement
-  bool hidden = false;   ///< not handed out: see student_view()
-  std::string output;    ///< what the code printed in this case, cut off
+  bool excused = false;       ///< does not count: see CaseJudgement
+  bool passes_alone = false;  ///< as in CaseJudgement
+  bool hidden = false;        ///< not handed out: see student_view()
+  std::string output;         ///< what the code printed in this case, cut off
   std::uint64_t output_bytes = 0;
   std::string figure;  ///< the name of the file with its picture; empty if none was written
   MeshScene scene;     ///< the step that went wrong, for the viewer; mostly empty

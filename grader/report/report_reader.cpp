@@ -98,6 +98,7 @@ void read(const Json& value, CaseReport& report) {
   report.verdict = read_verdict(value);
   report.note = value.at("note");
   report.excused = value.value("excused", false);
+  report.passes_alone = value.value("passes_alone", false);
   report.hidden = value.value("hidden", false);
   report.shrunk_from = value.value("shrunk_from", "");
   report.output = value.at("output");
