@@ -142,10 +142,14 @@ class TerminalReport {
       out_ += "  " + first->note + "\n";
       return;
     }
-    out_ += "  the first failure, of " +
-            std::to_string(
-                std::count_if(exercise.cases.begin(), exercise.cases.end(), is_failure)) +
-            ":\n";
+    const auto count = std::count_if(exercise.cases.begin(), exercise.cases.end(), is_failure);
+    // Whoever has not done the extra credit has done nothing wrong.
+    out_ +=
+        exercise.verdict == Verdict::kPassed
+            ? "  all that is asked is right; for extra credit, the first case that does not "
+              "pass, of " +
+                  std::to_string(count) + ":\n"
+            : "  the first failure, of " + std::to_string(count) + ":\n";
     add_case(*first);
   }
 
@@ -164,7 +168,9 @@ class TerminalReport {
     add_field("note", c.note);
     if (!c.figure.empty()) add_field("picture", style_.figures + "/" + c.figure);
     if (!c.output.empty() && (style_.verbose || is_failure(c))) add_output(c);
-    if (style_.again && is_failure(c)) add_field("again", style_.again(c.id));
+    // A case that passes alone would only puzzle who replays it.
+    if (style_.again && is_failure(c) && !c.passes_alone)
+      add_field("again", style_.again(c.id));
   }
 
   void add_field(const std::string& name, const std::string& text) {
