@@ -4,7 +4,10 @@
 
 #include "grader/app/compile_blame.h"
 #include "grader/app/handle_references.h"
+#include "grader/app/right_callees.h"
 #include "grader/app/shrinking.h"
+#include "grader/app/source_hints.h"
+#include "grader/base/text.h"
 #include "grader/cases/case_list.h"
 #include "grader/judge/judge.h"
 #include "grader/judge/tell_apart.h"
@@ -18,6 +21,36 @@ constexpr std::size_t kMostExplained = 8;
 
 /// At most this many failed cases of an exercise are made smaller; these, too, are explained.
 constexpr std::size_t kMostShrunk = 3;
+
+/// A case that was not run says nothing about its own function where it also calls another
+/// exercise's, and the cases like it that were run are all that one's fault.
+void excuse_not_run(const ExerciseJudge& judge, const std::vector<const Case*>& cases,
+                    const std::vector<Outcome>& outcomes,
+                    std::vector<CaseJudgement>& judgements) {
+  const auto calls_other = [&](const Case& c) {
+    return std::any_of(c.calls.begin(), c.calls.end(), [&](const std::string& function) {
+      const auto& own = judge.functions;
+      return std::find(own.begin(), own.end(), function) == own.end();
+    });
+  };
+  const auto is_blamed = [&](const Case& asked) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      const bool alike = cases[i]->group == asked.group && cases[i]->calls == asked.calls;
+      if (alike && outcomes[i].ending == Ending::kOutOfTime && !judgements[i].excused)
+        return true;
+    }
+    return false;
+  };
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (outcomes[i].ending != Ending::kSkipped || !calls_other(*cases[i])) continue;
+    if (is_blamed(*cases[i])) continue;
+    judgements[i].verdict = Verdict::kNotJudged;
+    judgements[i].excused = true;
+    judgements[i].note = "not run: in cases like this one before it, " +
+                         join({cases[i]->calls.begin() + 1, cases[i]->calls.end()}, ", ") +
+                         " did not end";
+  }
+}
 
 /// Judges cases in order; in full the first `explained` of those that failed, and as many of
 /// those that were stopped.
@@ -34,6 +67,7 @@ std::vector<CaseJudgement> judge_all(const Assignment& assignment, const Exercis
         judge, {*cases[i], outcomes[i], rubric, assignment.tolerance, left > 0}, conventions));
     if (!judgements.back().findings.empty() && left > 0) --left;
   }
+  excuse_not_run(judge, cases, outcomes, judgements);
   return judgements;
 }
 
@@ -66,9 +100,10 @@ void run_again_alone(const Assignment& assignment, const ExerciseRubric& rubric,
   const auto alone = judge_all(assignment, rubric, failed, outcomes, conventions, 0);
   for (std::size_t i = 0; i < alone.size(); ++i) {
     if (alone[i].verdict != Verdict::kPassed) continue;
+    judgements[places[i]].passes_alone = true;
     judgements[places[i]].note =
         "this case passes when it is run alone: the code keeps something from one call to the "
-        "next, in a global or static variable?";
+        "next, in a global or static variable? Only a check of the whole exercise shows it";
     for (Finding& finding : judgements[places[i]].findings)
       finding.likely.clear();  // the numbers are right in a fresh process
   }
@@ -124,6 +159,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
   for (std::size_t i = 0; i < cases.size(); ++i) {
     blame_compilation(assignment, candidate.submission, candidate.build, judge, cases[i],
                       judgements[i]);
+    name_free_function(candidate.submission, judge.functions, judgements[i]);
     judged.cases.push_back(
         {cases[i], std::move(judgements[i]), outcomes[i].output, outcomes[i].output_bytes, ""});
   }
@@ -132,6 +168,8 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
   for (JudgedCase& c : judged.cases)
     told.push_back(&c.judgement);
   tell_apart(told);
+  tell_apart_by_source(candidate.submission, judge.functions, judged);
+  name_static_variable(candidate.submission, judge.functions, judged);
   note_handle_references(candidate.submission, judge.functions, judged);
   if (conventions.size() == 1 && !has_failure(judged)) {
     judged.notes.push_back("found: " + *conventions.begin());
@@ -146,6 +184,7 @@ ExerciseRun run_exercise(const Assignment& assignment, const Home& home,
   run.outcomes =
       run_cases(candidate.build, pointers_to(run.cases), assignment.limits, Company::kTogether);
   run.judged = judge_exercise(assignment, home, candidate, rubric, run.cases, run.outcomes);
+  if (!is_all_right(run.judged)) run_with_right_callees(assignment, home, candidate, run, run);
   return run;
 }
 

@@ -4,6 +4,7 @@
 
 #include "grader/app/compile_blame.h"
 #include "grader/app/exercise_run.h"
+#include "grader/app/right_callees.h"
 #include "grader/app/second_run.h"
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
@@ -99,7 +100,12 @@ Report grade_case(const Assignment& assignment, const Submission& submission, co
 Report grade_case_fully(const Assignment& assignment, const Submission& submission,
                         const Home& home, const Build& build, const Case& asked) {
   const Candidate candidate{submission, build};
+  const ExerciseRubric& rubric = *assignment.find(asked.exercise);
   ExerciseRun run = run_case(assignment, home, candidate, asked);
+  if (!is_all_right(run.judged) && has_callees(asked, rubric)) {
+    const ExerciseRun whole = run_exercise(assignment, home, candidate, rubric);
+    run_with_right_callees(assignment, home, candidate, whole, run);
+  }
   run_again(assignment, home, candidate, {}, run);
   return make_report(assignment, submission, build, {run.judged});
 }

@@ -14,7 +14,7 @@
 
 namespace meshgrade {
 
-constexpr std::uint32_t kProtocolVersion = 2;
+constexpr std::uint32_t kProtocolVersion = 3;
 
 /// One case for the worker: the exercise, the packed input, and the limits.
 struct Task {
@@ -23,10 +23,11 @@ struct Task {
   std::uint64_t step_budget = 0;  ///< uses of handles
   std::uint32_t cpu_ms = 0;       ///< processor time
   std::uint32_t wall_ms = 0;      ///< time on the clock
+  std::uint32_t family = 0;  ///< tasks of one family call the same functions: see run_cases
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(exercise, input, step_budget, cpu_ms, wall_ms);
+    wire(exercise, input, step_budget, cpu_ms, wall_ms, family);
   }
 };
 
@@ -55,7 +56,7 @@ enum class Ending : std::uint32_t {
   kOutOfMemory = 6,    ///< the memory limit
   kOutputLimit = 7,    ///< the result file or the student's output grew too large
   kWorkerFailed = 8,   ///< the worker could not do its own part
-  kSkipped = 9,        ///< not run: too many cases before it ran out of time
+  kSkipped = 9,        ///< not run: too many of its family before it ran out of time
   kTooManyFiles = 10,  ///< the most files that may be open were open
   kTooManyProcesses = 11,  ///< more processes than are allowed
 };
@@ -93,7 +94,7 @@ struct EndFrame {
 /// A frame begins with its kind.
 enum class FrameKind : std::uint32_t { kStep = 0, kEnd = 1 };
 
-/// After so many tasks that ran out of time the worker gives up on the others.
+/// After so many tasks of a family that ran out of time the worker gives up on the rest of it.
 constexpr std::uint32_t kMostTimeouts = 3;
 
 /// The most that is kept of what a student's code prints in one case.

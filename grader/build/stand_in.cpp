@@ -14,6 +14,14 @@ std::string file_name(const StandIn& stand_in) {
   return "~" + stand_in.exercise + ".cpp";
 }
 
+std::string without(const std::vector<std::string>& functions, const std::string& name,
+                    std::string text) {
+  LeavingOut rest(name, std::move(text));
+  for (const std::string& function : functions)
+    rest.remove_function(function);
+  return rest.text();
+}
+
 std::string read_reference(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -27,17 +35,14 @@ std::optional<Submission> with_stand_ins(Submission submission, const Home& home
                                          const std::vector<StandIn>& stand_ins) {
   if (home.reference.empty()) return std::nullopt;
   for (SourceFile& source : submission.sources) {
-    LeavingOut rest(source.name, std::move(source.text));
-    for (const StandIn& stand_in : stand_ins) {
-      for (const std::string& function : stand_in.functions)
-        rest.remove_function(function);
-    }
-    source.text = rest.text();
+    for (const StandIn& stand_in : stand_ins)
+      source.text = without(stand_in.functions, source.name, std::move(source.text));
   }
   // At the end, so that they go when there are two definitions, and not the student's file.
   for (const StandIn& stand_in : stand_ins) {
-    submission.sources.push_back(
-        {file_name(stand_in), read_reference(home.reference / (stand_in.exercise + ".cpp"))});
+    const std::string name = file_name(stand_in);
+    std::string right = read_reference(home.reference / (stand_in.exercise + ".cpp"));
+    submission.sources.push_back({name, without(stand_in.kept, name, std::move(right))});
   }
   return submission;
 }

@@ -10,11 +10,13 @@
 
 namespace meshgrade {
 
-/// An exercise whose right solution takes the place of the student's.
+/// Functions whose right solution takes the place of the student's.
 struct StandIn {
   std::string exercise;  ///< "edge_split": names the file of the reference
-  std::vector<std::string>
-      functions;  ///< "HalfedgeMesh::splitEdge": taken out of the submission
+  /// "HalfedgeMesh::splitEdge": taken out of the submission
+  std::vector<std::string> functions;
+  /// What else the file of the reference defines: these stay the student's own.
+  std::vector<std::string> kept = {};
 };
 
 /// The submission with these exercises taken out of its files and the reference's files put in,

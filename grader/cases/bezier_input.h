@@ -49,4 +49,12 @@ struct PatchInput {
   }
 };
 
+/// The net of the patch whose evaluateStep or evaluate1D gets `points`: of other points than
+/// these, so that it shows when a function reads the member in place of its argument.
+inline std::vector<std::vector<Point3>> net_besides(std::vector<Point3> points) {
+  for (Point3& p : points)
+    p = {p[0] + 1.0, p[1] + 2.0, p[2] + 3.0};
+  return {points, points};
+}
+
 }  // namespace meshgrade

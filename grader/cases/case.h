@@ -15,6 +15,9 @@ struct Case {
   std::string input;     ///< packed; each exercise has a struct for it
   std::uint64_t step_budget = 0;  ///< handle uses that a good solution never needs
   bool hidden = false;            ///< drawn by the seed that is not handed out
+  /// The student's functions that it calls: first the one that it is about, then those whose
+  /// work this one may build on. Empty where an exercise has one function.
+  std::vector<std::string> calls = {};
 
   /// "edge_split:boundary/7"
   std::string id() const { return exercise + ":" + group + "/" + std::to_string(number); }

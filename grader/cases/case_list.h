@@ -21,11 +21,11 @@ class CaseMaker {
             std::filesystem::path meshes)
       : assignment_(assignment), rubric_(rubric), meshes_(std::move(meshes)) {}
 
-  /// Adds a case. `input` is packed for the worker.
+  /// Adds a case. `input` is packed for the worker; `calls` is that of Case.
   template <class Input>
   void add(const std::string& group, const std::string& title, std::uint64_t step_budget,
-           const Input& input) {
-    add_packed(group, title, step_budget, to_wire(input));
+           const Input& input, std::vector<std::string> calls = {}) {
+    add_packed(group, title, step_budget, to_wire(input), std::move(calls));
   }
 
   /// A mesh file of the meshes folder, its vertices in build order.
@@ -43,7 +43,7 @@ class CaseMaker {
 
  private:
   void add_packed(const std::string& group, const std::string& title, std::uint64_t step_budget,
-                  std::string input);
+                  std::string input, std::vector<std::string> calls);
 
   const Assignment& assignment_;
   const ExerciseRubric& rubric_;

@@ -1,5 +1,7 @@
 #include "grader/cases/operation_cases.h"
 
+#include <algorithm>
+
 #include "grader/base/text.h"
 
 namespace meshgrade {
@@ -27,6 +29,22 @@ std::string edge_title(OperationKind kind, VertexPair edge, const std::string& f
   return verb(kind) + std::string(place) + edge_text(edge) + " of " + file;
 }
 
+const char* function_of(OperationKind kind) {
+  return kind == OperationKind::kFlip ? "HalfedgeMesh::flipEdge" : "HalfedgeMesh::splitEdge";
+}
+
+/// In a sequence of both, the split is what the case is about.
+std::vector<std::string> called_by(const std::vector<Operation>& operations) {
+  std::vector<std::string> calls;
+  for (OperationKind kind : {OperationKind::kSplit, OperationKind::kFlip}) {
+    if (std::any_of(operations.begin(), operations.end(),
+                    [&](const Operation& operation) { return operation.kind == kind; })) {
+      calls.emplace_back(function_of(kind));
+    }
+  }
+  return calls;
+}
+
 }  // namespace
 
 const char* verb(OperationKind kind) {
@@ -41,7 +59,7 @@ void add_operations(CaseMaker& maker, const std::string& group, const std::strin
                     const OperationsInput& input) {
   const std::uint64_t budget =
       input.operations.size() * (2000 + 100 * input.mesh.polygons.size());
-  maker.add(group, title, budget, input);
+  maker.add(group, title, budget, input, called_by(input.operations));
 }
 
 void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,

@@ -278,7 +278,10 @@ CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
   }
   if (outcome.ending == Ending::kSkipped) {
     judgement.verdict = Verdict::kOutOfTime;
-    judgement.note = "not run: cases before this one reached a limit for all of them together";
+    judgement.note = outcome.lost
+                         ? "not run: cases before this one reached a limit for all of them "
+                           "together"
+                         : "not run: too many cases like this one ran out of time before it";
     return judgement;
   }
   judge_steps(judge, task, conventions, judgement);

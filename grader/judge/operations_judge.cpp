@@ -1,5 +1,7 @@
 #include "grader/judge/operations_judge.h"
 
+#include <algorithm>
+
 #include "grader/judge/operation_judge.h"
 #include "grader/judge/operation_model.h"
 #include "grader/mesh/build_mesh.h"
@@ -31,12 +33,19 @@ MeshDump first_mesh(const OperationsInput& input) {
   return dump_mesh(mesh);
 }
 
+const char* verb(const Operation& operation) {
+  return operation.kind == OperationKind::kFlip ? "flip" : "split";
+}
+
+const char* exercise_of(const Operation& operation) {
+  return operation.kind == OperationKind::kFlip ? "edge_flip" : "edge_split";
+}
+
 std::string step_text(const OperationsInput& input, std::size_t i, Ref a, Ref b) {
   if (input.operations.size() == 1) return {};
-  const char* verb = input.operations[i].kind == OperationKind::kFlip ? "flip " : "split ";
   return "after operation " + std::to_string(i + 1) + " of " +
-         std::to_string(input.operations.size()) + ": " + verb + vertex_name(a) + "-" +
-         vertex_name(b);
+         std::to_string(input.operations.size()) + ": " + verb(input.operations[i]) + " " +
+         vertex_name(a) + "-" + vertex_name(b);
 }
 
 /// In a sequence of splits and flips, an operation of the other kind that goes wrong says
@@ -44,15 +53,23 @@ std::string step_text(const OperationsInput& input, std::size_t i, Ref a, Ref b)
 void leave_to_other_exercise(const JudgeTask& task, const OperationsInput& input,
                              std::size_t done, CaseJudgement& judgement) {
   if (done == input.operations.size()) return;
-  const bool flip = input.operations[done].kind == OperationKind::kFlip;
-  const std::string other = flip ? "edge_flip" : "edge_split";
+  const auto is_other = [&](const Operation& operation) {
+    return exercise_of(operation) != task.asked.exercise;
+  };
+  // Nobody knows which operation spoiled the run: the other exercise's own cases tell.
+  const auto& operations = input.operations;
+  const auto blamed = task.outcome.lost
+                          ? std::find_if(operations.begin(), operations.end(), is_other)
+                          : operations.begin() + static_cast<std::ptrdiff_t>(done);
+  if (blamed == operations.end()) return;
+  const std::string other = exercise_of(*blamed);
   const bool stopped = task.outcome.ending != Ending::kDone || !judgement.findings.empty();
   if (other == task.asked.exercise || !stopped) return;
   judgement.findings.clear();
   judgement.verdict = Verdict::kNotJudged;
   judgement.excused = true;
-  judgement.note = "operation " + std::to_string(done + 1) + ", a " +
-                   (flip ? "flip" : "split") + ", goes wrong: see " + other;
+  judgement.note = "operation " + std::to_string(blamed - operations.begin() + 1) + ", a " +
+                   verb(*blamed) + ", goes wrong: see " + other;
 }
 
 }  // namespace
@@ -78,6 +95,24 @@ void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
   }
   if (!judgement.findings.empty()) judgement.verdict = Verdict::kFailed;
   leave_to_other_exercise(task, input, done, judgement);
+}
+
+std::string corner_letters(const OperationsInput& input) {
+  const MeshDump mesh = first_mesh(input);
+  const Operation& first = input.operations.at(0);
+  const Ref edge = find_edge(mesh, live_vertex(mesh, first.a), live_vertex(mesh, first.b));
+  if (edge == kUnsetRef) return {};
+  const Diamond corners = diamond_of(mesh, edge);
+  std::string text;
+  const auto add = [&](const char* letter, Ref vertex) {
+    if (vertex != kUnsetRef) text += std::string(letter) + "=" + std::to_string(vertex) + " ";
+  };
+  add("a", corners.a);
+  add("b", corners.b);
+  add("c", corners.c);
+  add("d", corners.d);
+  if (first.kind == OperationKind::kSplit) add("m", static_cast<Ref>(mesh.vertices.size()));
+  return text;
 }
 
 void show_stopped_operation(const JudgeTask& task, Finding& finding) {

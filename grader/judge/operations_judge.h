@@ -15,4 +15,8 @@ void judge_operations(const JudgeTask& task, CaseJudgement& judgement);
 /// @throws WireError if the interrupted state is malformed
 void show_stopped_operation(const JudgeTask& task, Finding& finding);
 
+/// The letters of the corners around the first edge, by the numbers of the vertices: "a=3 b=0
+/// c=1 d=2", with "m=4" for the vertex that a split makes.
+std::string corner_letters(const OperationsInput& input);
+
 }  // namespace meshgrade

@@ -26,6 +26,8 @@ struct Outcome {
   std::vector<StackFrame> stack;   ///< the student's own frames only
   std::string output;              ///< what the code printed, cut off
   std::uint64_t output_bytes = 0;
+  /// Nothing came of this case, since one of those that were run with it spoiled them all.
+  bool lost = false;
 };
 
 }  // namespace meshgrade

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "grader/base/errors.h"
@@ -44,6 +45,18 @@ std::string read_all(int file, std::uint64_t most) {
   return bytes;
 }
 
+/// The number of the family of each case, from 0 in the order of their first cases.
+std::vector<std::uint32_t> families_of(const std::vector<const Case*>& cases) {
+  std::map<std::pair<std::string, std::vector<std::string>>, std::uint32_t> numbers;
+  std::vector<std::uint32_t> families;
+  for (const Case* c : cases) {
+    const auto next = static_cast<std::uint32_t>(numbers.size());
+    families.push_back(
+        numbers.try_emplace({c->exercise + "/" + c->group, c->calls}, next).first->second);
+  }
+  return families;
+}
+
 TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
                     Company company) {
   TaskList list;
@@ -51,9 +64,10 @@ TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
   list.memory_bytes = limits.memory_mb * kMegabyte;
   list.result_bytes = limits.result_mb * kMegabyte;
   list.output_bytes = limits.output_mb * kMegabyte;
-  for (const Case* c : cases) {
-    list.tasks.push_back(
-        {c->exercise, c->input, c->step_budget, limits.case_cpu_ms, limits.case_wall_ms});
+  const std::vector<std::uint32_t> families = families_of(cases);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    list.tasks.push_back({cases[i]->exercise, cases[i]->input, cases[i]->step_budget,
+                          limits.case_cpu_ms, limits.case_wall_ms, families[i]});
   }
   return list;
 }
@@ -80,6 +94,7 @@ Outcome to_outcome(TaskResult task) {
 /// For the first task that the result file says nothing about.
 Outcome unfinished(const ProcessResult& worker) {
   Outcome outcome;
+  outcome.lost = true;
   outcome.ending = worker.timed_out            ? Ending::kOutOfTime
                    : worker.out_of_memory      ? Ending::kOutOfMemory
                    : worker.too_many_processes ? Ending::kTooManyProcesses
@@ -189,8 +204,16 @@ ProcessResult run_worker(const Build& build, const fs::path& folder, const Limit
 
 }  // namespace
 
-std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
-                               const Limits& limits, Company company) {
+namespace {
+
+/// What came of cases that one worker ran.
+struct Run {
+  std::vector<Outcome> outcomes;
+  bool spoiled = false;  ///< some are lost that others of these may have cost
+};
+
+Run run_together(const Build& build, const std::vector<const Case*>& cases,
+                 const Limits& limits, Company company) {
   const FileDescriptor tasks = make_task_file(cases, limits, company);
   const FileDescriptor results = make_scratch_file();
   const FileDescriptor output = make_scratch_file();
@@ -198,21 +221,50 @@ std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*
   const fs::path folder = build.logs ? build.logs->path() : scratch.path();
   const ProcessResult worker =
       run_worker(build, folder, limits, {tasks.get(), results.get(), output.get()});
+  Run run;
   std::vector<TaskResult> read;
   try {
     read =
         read_results(read_all(results.get(), (limits.result_mb + 2) * kMegabyte), cases.size());
   } catch (const WireError&) {
     read.assign(cases.size(), {});  // forged: nothing in it counts
+    run.spoiled = true;
   }
-  std::vector<Outcome> outcomes;
+  // A worker that does not get to its first case hangs before it: it would do so again.
+  const bool began = !read.empty() && read[0].ended;
   Outcome for_missing = unfinished(worker);
   for (TaskResult& task : read) {
-    outcomes.push_back(task.ended ? to_outcome(task) : for_missing);
+    run.spoiled = run.spoiled || (!task.ended && (began || !worker.timed_out));
+    run.outcomes.push_back(task.ended ? to_outcome(task) : for_missing);
     if (!task.ended && worker.stopped()) for_missing.ending = Ending::kSkipped;
   }
-  add_stacks(build, read, outcomes);
-  return outcomes;
+  add_stacks(build, read, run.outcomes);
+  return run;
+}
+
+}  // namespace
+
+std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
+                               const Limits& limits, Company company) {
+  Run run = run_together(build, cases, limits, company);
+  const std::vector<std::uint32_t> families = families_of(cases);
+  const std::set<std::uint32_t> numbers(families.begin(), families.end());
+  if (!run.spoiled || numbers.size() < 2) return std::move(run.outcomes);
+  Limits share = limits;
+  share.run_seconds = std::max<std::uint32_t>(
+      1, limits.run_seconds / static_cast<std::uint32_t>(numbers.size()));
+  for (std::uint32_t family : numbers) {
+    std::vector<const Case*> own;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (families[i] == family) own.push_back(cases[i]);
+    }
+    Run again = run_together(build, own, share, company);
+    auto next = again.outcomes.begin();
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (families[i] == family) run.outcomes[i] = std::move(*next++);
+    }
+  }
+  return std::move(run.outcomes);
 }
 
 }  // namespace meshgrade

@@ -20,6 +20,11 @@ FileDescriptor make_task_file(const std::vector<const Case*>& cases, const Limit
 /// Runs all cases in one worker, one after the other. A case that kills the worker loses only
 /// itself. What the student's code does is never the grader's fault: the result has one
 /// Outcome for each case, whatever happens.
+///
+/// Cases of one group that call the same functions are a family. A family that runs out of time
+/// again and again is given up, and the others go on. When one case spoils the run for all, by
+/// writing over the results for example, each family gets a worker of its own: so no function
+/// loses anything by what another does.
 /// @throws GraderError if the worker cannot be started
 std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
                                const Limits& limits, Company company);

@@ -199,6 +199,13 @@ void run_task(const Task& task) {
   write_end(std::move(frame), *running.shared, running.list->result_bytes);
 }
 
+void skip_task() {
+  EndFrame frame;
+  frame.task = running.shared->tasks_done;
+  frame.ending = Ending::kSkipped;
+  write_end(std::move(frame), *running.shared, running.list->result_bytes);
+}
+
 std::string frame_bytes(FrameKind kind, const std::string& payload) {
   WireWriter writer;
   writer(kind);
@@ -238,7 +245,8 @@ void write_end(EndFrame frame, SharedState& shared, std::uint64_t limit) {
   ++shared.tasks_done;
 }
 
-void run_tasks(const TaskList& list, SharedState& shared) {
+void run_tasks(const TaskList& list, const std::set<std::uint32_t>& given_up,
+               SharedState& shared) {
   running = {&list, &shared, nullptr};
   ::fcntl(kOutputFile, F_SETFL, O_APPEND);
   ::dup2(kOutputFile, STDOUT_FILENO);
@@ -252,7 +260,12 @@ void run_tasks(const TaskList& list, SharedState& shared) {
   limit_memory(list.memory_bytes);
   limit_files(list.output_bytes);
   do {
-    run_task(list.tasks[shared.tasks_done]);
+    const Task& task = list.tasks[shared.tasks_done];
+    if (given_up.count(task.family) != 0) {
+      skip_task();
+    } else {
+      run_task(task);
+    }
   } while (!list.alone && shared.tasks_done < list.tasks.size());
   ::_exit(kTaskRecordedStatus);
 }

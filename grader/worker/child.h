@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+
 #include "grader/base/protocol.h"
 #include "grader/worker/result_file.h"
 
@@ -10,8 +12,10 @@ constexpr int kTaskRecordedStatus = 90;
 /// The child ends with this after it has noted a signal in the shared state.
 constexpr int kSignalNotedStatus = 92;
 
-/// Runs the tasks from the first that is not done. Never returns: ends the process.
-[[noreturn]] void run_tasks(const TaskList& list, SharedState& shared);
+/// Runs the tasks from the first that is not done, but for those of the families that are given
+/// up. Never returns: ends the process.
+[[noreturn]] void run_tasks(const TaskList& list, const std::set<std::uint32_t>& given_up,
+                            SharedState& shared);
 
 /// Completes the frame with what was printed, writes it, and counts its task as done.
 void write_end(EndFrame frame, SharedState& shared, std::uint64_t limit);

@@ -3,7 +3,9 @@
 // Theory of operation. The worker forks one child, which runs the tasks in order and writes
 // down what the student's code leaves behind. When a task kills the child, the parent writes
 // down how, and forks a new child that goes on with the next task. So a task costs a fork only
-// when the one before it went wrong. Nothing in this process knows a right answer.
+// when the one before it went wrong. A function that never ends would cost the time limit in
+// every task: a family of tasks with too many of them is given up. Nothing in this process
+// knows a right answer.
 
 #include <poll.h>
 #include <sys/mman.h>
@@ -19,7 +21,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <new>
+#include <set>
 
 #include "grader/base/protocol.h"
 #include "grader/worker/child.h"
@@ -64,21 +68,35 @@ Ending classify(int status, bool overdue, const SharedState& shared) {
 }
 
 /// Writes down how the child died, in its place.
-void record_death(const TaskList& list, SharedState& shared, int status, bool overdue) {
+Ending record_death(const TaskList& list, SharedState& shared, int status, bool overdue) {
   // What the child was writing when it died is not a whole frame: nothing of it may stay.
   const auto written = static_cast<off_t>(shared.result_size.load());
   if (::ftruncate(kResultFile, written) != 0) std::exit(kWorkerFailedStatus);
   EndFrame frame;
   frame.task = shared.tasks_done;
   frame.ending = classify(status, overdue, shared);
-  if (frame.ending == Ending::kOutOfTime) ++shared.timeouts;
+  const Ending ending = frame.ending;
   frame.code = shared.signal != 0  ? shared.signal.load()
                : WIFEXITED(status) ? WEXITSTATUS(status)
                                    : WTERMSIG(status);
   const std::uint32_t depth = std::min<std::uint32_t>(shared.stack_size, 64);
   frame.stack.assign(shared.stack, shared.stack + depth);
   write_end(std::move(frame), shared, list.result_bytes);
+  return ending;
 }
+
+/// Which families of tasks have run out of time too often.
+class Patience {
+ public:
+  void note_timeout(std::uint32_t family) {
+    if (++timeouts_[family] >= kMostTimeouts) given_up_.insert(family);
+  }
+  const std::set<std::uint32_t>& given_up() const { return given_up_; }
+
+ private:
+  std::map<std::uint32_t, std::uint32_t> timeouts_;
+  std::set<std::uint32_t> given_up_;
+};
 
 /// In the child: when the grader is killed, the worker dies with it, and this with the worker.
 /// Nobody would be left to watch over the time.
@@ -107,7 +125,7 @@ pid_t fork_patiently() {
 }
 
 /// Runs tasks in one child, from the first that is not done. @return false if all are done
-bool run_some(const TaskList& list, SharedState& shared) {
+bool run_some(const TaskList& list, Patience& patience, SharedState& shared) {
   int life_line[2];
   if (::pipe(life_line) != 0) fail("cannot make a pipe");
   shared.signal = 0;
@@ -119,7 +137,7 @@ bool run_some(const TaskList& list, SharedState& shared) {
   if (child == 0) {
     die_with(worker);
     ::close(life_line[0]);
-    run_tasks(list, shared);
+    run_tasks(list, patience.given_up(), shared);
   }
   ::close(life_line[1]);
   const bool overdue = watch(child, life_line[0], list, shared);
@@ -129,18 +147,11 @@ bool run_some(const TaskList& list, SharedState& shared) {
   if (shared.tasks_done >= list.tasks.size()) return false;
   const bool recorded = WIFEXITED(status) && WEXITSTATUS(status) == kTaskRecordedStatus;
   if (recorded && !overdue && shared.tasks_done > first) return true;
-  record_death(list, shared, status, overdue);
-  return shared.tasks_done < list.tasks.size();
-}
-
-/// A solution that never ends would cost the time limit in every case.
-void skip_the_rest(const TaskList& list, SharedState& shared) {
-  while (shared.tasks_done < list.tasks.size()) {
-    EndFrame frame;
-    frame.task = shared.tasks_done;
-    frame.ending = Ending::kSkipped;
-    write_end(std::move(frame), shared, list.result_bytes);
+  const std::uint32_t family = list.tasks[shared.tasks_done].family;
+  if (record_death(list, shared, status, overdue) == Ending::kOutOfTime) {
+    patience.note_timeout(family);
   }
+  return shared.tasks_done < list.tasks.size();
 }
 
 /// @return false if there is none that makes sense
@@ -165,9 +176,8 @@ int run_worker() {
   if (memory == MAP_FAILED) fail("cannot share memory");
   auto* shared = ::new (memory) SharedState;
   if (list.tasks.empty()) return 0;
-  while (run_some(list, *shared)) {
-    if (shared->timeouts >= kMostTimeouts) skip_the_rest(list, *shared);
-    if (shared->tasks_done >= list.tasks.size()) break;
+  Patience patience;
+  while (run_some(list, patience, *shared) && shared->tasks_done < list.tasks.size()) {
   }
   return 0;
 }

@@ -17,7 +17,6 @@ namespace meshgrade {
 struct SharedState {
   std::atomic<std::uint64_t> result_size{0};  ///< bytes of the result file that are whole
   std::atomic<std::uint32_t> tasks_done{0};
-  std::atomic<std::uint32_t> timeouts{0};
   std::atomic<std::int32_t> signal{0};  ///< the signal that the child caught
   std::atomic<std::uint32_t> stack_size{0};
   std::uint64_t stack[64] = {};  ///< where the child was when it caught it

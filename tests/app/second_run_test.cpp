@@ -114,6 +114,18 @@ TEST_F(SecondRun, FindsWhatIsWrongWithTheSubdivisionItself) {
   EXPECT_THAT(report.stand_ins, ElementsAre("edge_split"));
 }
 
+// A place in a file that the student has never seen helps nobody.
+TEST_F(SecondRun, ShowsNoFramesOfAStandIn) {
+  const SourceFile unset = altered("loop_subdivision.cpp", "mesh.splitEdge(e)->newPosition",
+                                   "mesh.splitEdge(EdgeIter())->newPosition");
+  const ExerciseReport report = loop_of(files(flip_, broken_split(), unset));
+  ASSERT_FALSE(report.cases.at(0).findings.empty());
+  const auto& places = report.cases.at(0).findings[0].places;
+  ASSERT_FALSE(places.empty());
+  for (const CodePlace& place : places)
+    EXPECT_NE(place.file.at(0), '~') << place.file;
+}
+
 TEST_F(SecondRun, LeavesTheStubsAlone) {
   const ExerciseReport report = loop_of({});
   EXPECT_EQ(report.verdict, Verdict::kNotImplemented);

@@ -214,6 +214,45 @@ TEST(RunCases, ForgedResultFileCountsForNothing) {
     EXPECT_NE(outcome.ending, Ending::kDone);
 }
 
+Case in_group(Case c, const std::string& group) {
+  c.group = group;
+  return c;
+}
+
+TEST(RunCases, FamilyThatRunsOutOfTimeIsGivenUpAlone) {
+  const Build build = build_sources({harmful("for (volatile int i = 0;; ++i) {}")});
+  const Case endless = normal_case("tetrahedron.obj");
+  const Case other = in_group(normal_case("octahedron.off"), "stress");
+  const auto outcomes =
+      run_cases(build, {&endless, &endless, &endless, &endless, &other, &endless},
+                quick_limits(), Company::kTogether);
+  ASSERT_EQ(outcomes.size(), 6U);
+  for (std::size_t i : {0U, 1U, 2U})
+    EXPECT_EQ(outcomes[i].ending, Ending::kOutOfTime) << i;
+  EXPECT_EQ(outcomes[3].ending, Ending::kSkipped);
+  EXPECT_EQ(outcomes[4].ending, Ending::kDone) << "it is of another family";
+  EXPECT_EQ(outcomes[4].steps.size(), 6U);
+  EXPECT_EQ(outcomes[5].ending, Ending::kSkipped);
+}
+
+TEST(RunCases, ForgedResultsAndKilledWorkersCostOnlyTheirFamily) {
+  for (const char* harm : {"::pwrite(4, \"forged result file, not a frame\", 31, 0);",
+                           "::kill(::getppid(), 9); ::kill(::getpid(), 9);"}) {
+    const Build build =
+        build_sources({harmful(harm, "#include <csignal>\n#include <unistd.h>")});
+    const Case before = in_group(normal_case("octahedron.off"), "basic");
+    const Case spoils = in_group(normal_case("tetrahedron.obj"), "boundary");
+    const Case after = in_group(normal_case("octahedron.off"), "stress");
+    const auto outcomes =
+        run_cases(build, {&before, &spoils, &after}, quick_limits(), Company::kTogether);
+    ASSERT_EQ(outcomes.size(), 3U);
+    EXPECT_EQ(outcomes[0].ending, Ending::kDone) << harm;
+    EXPECT_NE(outcomes[1].ending, Ending::kDone) << harm;
+    EXPECT_TRUE(outcomes[1].lost) << harm;
+    EXPECT_EQ(outcomes[2].ending, Ending::kDone) << harm;
+  }
+}
+
 TEST(RunCases, StateLeaksBetweenCasesTogetherButNotAlone) {
   const SourceFile counter =
       normal_file("  static int calls = 0;\n  return {double(++calls), 0, 0};");

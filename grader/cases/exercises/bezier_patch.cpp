@@ -15,6 +15,12 @@ constexpr std::uint64_t kNoSteps = 1000;  // patches have no handles to step thr
 /// and with v twice: so that the answer tells these mistakes apart.
 constexpr std::array<double, 2> kPlace{0.25, 0.625};
 
+const std::vector<std::string> kStepCalls{"BezierPatch::evaluateStep"};
+const std::vector<std::string> kLineCalls{"BezierPatch::evaluate1D",
+                                          "BezierPatch::evaluateStep"};
+const std::vector<std::string> kSurfaceCalls{"BezierPatch::evaluate", "BezierPatch::evaluate1D",
+                                             "BezierPatch::evaluateStep"};
+
 std::vector<Point3> random_row(std::size_t count, Random& random) {
   std::vector<Point3> row;
   for (std::size_t i = 0; i < count; ++i) {
@@ -54,12 +60,14 @@ std::string place_text(std::size_t count, double t) {
 
 void add_step(CaseMaker& maker, std::size_t count, double t, Random& random) {
   maker.add("step", "evaluateStep on " + place_text(count, t), kNoSteps,
-            PatchInput{PatchFunction::kStep, {random_row(count, random)}, {{t, 0.0}}});
+            PatchInput{PatchFunction::kStep, {random_row(count, random)}, {{t, 0.0}}},
+            kStepCalls);
 }
 
 void add_line(CaseMaker& maker, std::size_t count, double t, Random& random) {
   maker.add("line", "evaluate1D on " + place_text(count, t), kNoSteps,
-            PatchInput{PatchFunction::kLine, {random_row(count, random)}, {{t, 0.0}}});
+            PatchInput{PatchFunction::kLine, {random_row(count, random)}, {{t, 0.0}}},
+            kLineCalls);
 }
 
 void add_surface(CaseMaker& maker, const std::string& group, const std::string& what, Net net,
@@ -68,7 +76,31 @@ void add_surface(CaseMaker& maker, const std::string& group, const std::string& 
                             std::to_string(net[0].size()) + ") at " +
                             plural(parameters.size(), "place");
   maker.add(group, title, kNoSteps,
-            PatchInput{PatchFunction::kSurface, std::move(net), parameters});
+            PatchInput{PatchFunction::kSurface, std::move(net), parameters}, kSurfaceCalls);
+}
+
+/// The steps that a curve is made of, each a question of its own: who gets one of them wrong
+/// has to look at evaluateStep, not at evaluate1D.
+void add_steps_of(CaseMaker& maker, const std::string& group, std::vector<Point3> level,
+                  double t) {
+  while (level.size() > 1) {
+    maker.add(group,
+              "evaluateStep on " + place_text(level.size(), t) + ", as evaluate1D calls it",
+              kNoSteps, PatchInput{PatchFunction::kStep, {level}, {{t, 0.0}}}, kStepCalls);
+    for (std::size_t i = 0; i + 1 < level.size(); ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        level[i][axis] = (1.0 - t) * level[i][axis] + t * level[i + 1][axis];
+    }
+    level.pop_back();
+  }
+}
+
+/// The curves along u that a point of the surface is made of, as questions of their own.
+void add_lines_of(CaseMaker& maker, const std::string& group, const Net& net, double u) {
+  for (const std::vector<Point3>& row : net) {
+    maker.add(group, "evaluate1D on " + place_text(row.size(), u) + ", as evaluate calls it",
+              kNoSteps, PatchInput{PatchFunction::kLine, {row}, {{u, 0.0}}}, kLineCalls);
+  }
 }
 
 }  // namespace
@@ -112,7 +144,12 @@ void make_bezier_patch_cases(CaseMaker& maker) {
 
 void shrink_bezier_patch_case(CaseMaker& maker, const Case& failed) {
   const auto input = from_wire<PatchInput>(failed.input);
+  if (input.function == PatchFunction::kLine) {
+    return add_steps_of(maker, failed.group, input.net.at(0), input.parameters.at(0)[0]);
+  }
   if (input.function != PatchFunction::kSurface) return;
+  for (const auto& [u, v] : input.parameters)
+    add_lines_of(maker, failed.group, input.net, u);
   const std::size_t rows = input.net.size();
   const std::size_t columns = input.net[0].size();
   for (std::size_t r = std::min<std::size_t>(rows, 2); r <= rows; ++r) {

@@ -13,6 +13,14 @@ std::vector<meshedit::Vector3D> to_vectors(const std::vector<Point3>& points) {
   return vectors;
 }
 
+std::vector<std::vector<meshedit::Vector3D>> to_net(
+    const std::vector<std::vector<Point3>>& rows) {
+  std::vector<std::vector<meshedit::Vector3D>> net;
+  for (const auto& row : rows)
+    net.push_back(to_vectors(row));
+  return net;
+}
+
 std::vector<Point3> to_points(const std::vector<meshedit::Vector3D>& vectors) {
   std::vector<Point3> points;
   for (const meshedit::Vector3D& v : vectors)
@@ -24,17 +32,16 @@ std::vector<Point3> to_points(const std::vector<meshedit::Vector3D>& vectors) {
 
 void run_bezier_patch(WireReader& input, Recorder& recorder) {
   const PatchInput asked = input.read<PatchInput>();
-  std::vector<std::vector<meshedit::Vector3D>> net;
-  for (const auto& row : asked.net)
-    net.push_back(to_vectors(row));
-  const meshedit::BezierPatch patch(net);
+  const bool whole = asked.function == PatchFunction::kSurface;
+  const meshedit::BezierPatch patch(to_net(whole ? asked.net : net_besides(asked.net.at(0))));
+  const std::vector<meshedit::Vector3D> points = to_vectors(asked.net.at(0));
   for (const auto& [u, v] : asked.parameters) {
     switch (asked.function) {
       case PatchFunction::kStep:
-        recorder.add_step(to_points(patch.evaluateStep(net.at(0), u)));
+        recorder.add_step(to_points(patch.evaluateStep(points, u)));
         break;
       case PatchFunction::kLine:
-        recorder.add_step(to_points({patch.evaluate1D(net.at(0), u)}));
+        recorder.add_step(to_points({patch.evaluate1D(points, u)}));
         break;
       case PatchFunction::kSurface:
         recorder.add_step(to_points({patch.evaluate(u, v)}));
