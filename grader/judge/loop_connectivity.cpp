@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <utility>
 
 #include "grader/judge/loop_misconceptions.h"
 #include "grader/judge/operation_model.h"
+#include "grader/judge/point_compare.h"
 #include "grader/judge/surface_match.h"
 
 namespace meshgrade {
@@ -137,7 +140,42 @@ bool explains(const FlipMistake& mistake, SplitOrder order, const MeshDump& befo
   return is_same_surface(predicted, actual);
 }
 
+/// How many inner edges are longer than all others of their two triangles.
+std::size_t count_diagonals(const PolygonMesh& mesh) {
+  const auto length = [&](std::uint32_t a, std::uint32_t b) {
+    return distance(mesh.positions[a], mesh.positions[b]);
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> longest_in;
+  for (const auto& t : mesh.polygons) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double own = length(t[i], t[(i + 1) % 3]);
+      constexpr double kClearly = 1.0 + 1e-9;
+      if (own > kClearly * length(t[(i + 1) % 3], t[(i + 2) % 3]) &&
+          own > kClearly * length(t[(i + 2) % 3], t[i])) {
+        ++longest_in[std::minmax(t[i], t[(i + 1) % 3])];
+      }
+    }
+  }
+  return static_cast<std::size_t>(std::count_if(
+      longest_in.begin(), longest_in.end(), [](const auto& edge) { return edge.second == 2; }));
+}
+
 }  // namespace
+
+Misconceptions recognize_counts(const PolygonMesh& old, const Counts& before,
+                                const Counts& actual) {
+  const auto named = [](const char* name) -> Misconceptions {
+    return {find_misconception(flip_misconceptions(), name)};
+  };
+  if (actual == before) return named("none-split");
+  // Splitting an inner edge adds a vertex, three edges and two faces.
+  const std::size_t split = count_diagonals(old);
+  const std::size_t edges = before.edges + 3 * split;
+  const std::size_t faces = before.faces + 2 * split;
+  const bool split_first = split > 0 && actual.vertices == before.vertices + split + edges &&
+                           actual.edges == 2 * edges + 3 * faces && actual.faces == 4 * faces;
+  return split_first ? named("diagonals-split-first") : Misconceptions();
+}
 
 const Misconceptions& flip_misconceptions() {
   static const Misconceptions known{
@@ -158,6 +196,14 @@ const Misconceptions& flip_misconceptions() {
       {"marks-not-reset",
        "isNew of the level before is still set: at the start, no vertex and no edge is new"},
       {"flipped-too-early", "edges are flipped before all splits are done"},
+      {"none-split",
+       "no edge is split at all: the mesh has as many triangles as before. Is the loop over "
+       "the "
+       "old edges ever entered?"},
+      {"diagonals-split-first",
+       "there are as many triangles as if the diagonals had been split before: upsample "
+       "subdivides the mesh that it is given. Splitting a cube's diagonals, so that it stays "
+       "symmetric, is for your write-up"},
   };
   return known;
 }

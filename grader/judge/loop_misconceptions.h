@@ -51,6 +51,11 @@ const Misconceptions& flip_misconceptions();
 Misconceptions recognize_positions(const RefinedStep& step, const std::vector<Point3>& actual,
                                    double allowed);
 
+/// Misconceptions about which edges are split that make `actual` elements out of those of the
+/// mesh before the step.
+Misconceptions recognize_counts(const PolygonMesh& old, const Counts& before,
+                                const Counts& actual);
+
 /// Misconceptions about which edges are split and flipped that give the surface `actual`.
 ///
 /// @param before        keeps all mesh rules

@@ -1,6 +1,7 @@
 #include "grader/judge/loop_misconceptions.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <set>
@@ -63,6 +64,16 @@ class Neighbourhoods {
     return sum;
   }
 
+  /// 3/4 v + 1/8 (every neighbour on a boundary), whether or not the edge to it lies there.
+  Point3 smoothed_by_boundary_vertices(std::uint32_t v) const {
+    Point3 sum{};
+    add(sum, positions[v], 0.75);
+    for (std::uint32_t w : neighbours[v]) {
+      if (on_boundary[w]) add(sum, positions[w], 0.125);
+    }
+    return sum;
+  }
+
   /// Weights for the ends of an edge and for the vertices opposite, from these positions.
   Point3 edge_point(const Origin& edge, double ends, double opposites,
                     const std::vector<Point3>& from) const {
@@ -82,6 +93,30 @@ class Neighbourhoods {
   std::map<Edge, std::vector<std::uint32_t>> opposite_;
 };
 
+/// Weights that are tuned for valences from 3 to 12: Barthe and Kobbelt, "Subdivision scheme
+/// tuning around extraordinary vertices", Computer Aided Geometric Design 21, 2004, with the
+/// numbers of MeshLab's filter.
+struct TunedWeights {
+  const char* name;
+  std::array<double, 10> own;        ///< of an old vertex itself
+  std::array<double, 10> irregular;  ///< edge point: of the end that has not six neighbours
+  std::array<double, 10> opposite;   ///< edge point: of each vertex opposite
+
+  bool knows(std::size_t valence) const { return valence >= 3 && valence <= 12; }
+};
+
+constexpr TunedWeights kTunedForRegularity{
+    "tuned-for-regularity",
+    {.32517, .49954, .59549, .625, .63873, .64643, .65127, .67358, .68678, .69908},
+    {.15658, .25029, .34547, .375, .38877, .39644, .40132, .42198, .43423, .44579},
+    {.14427, .12524, .11182, .125, .14771, .1768, .21092, .20354, .20505, .19828}};
+
+constexpr TunedWeights kTunedForContinuity{
+    "tuned-for-continuity",
+    {.32517, .50033, .59464, .625, .63903, .67821, .6866, .69248, .69678, .70014},
+    {.15658, .26721, .33539, .375, .36909, .25579, .2521, .24926, .24706, .2452},
+    {.14427, .12495, .11252, .125, .14673, .16074, .18939, .2222, .25894, .29934}};
+
 /// Builds predictions out of rules for old vertices and for edges.
 class PositionPredictor {
  public:
@@ -98,7 +133,11 @@ class PositionPredictor {
       right_ = &right;
       predict_edges();
       predict_old_vertices();
-      if (on_boundary()) predict_boundary();
+      if (on_boundary()) {
+        predict_boundary();
+      } else {
+        predict_tuned_weights();
+      }
       predict_mixed_up_times();
     }
     return std::move(predictions_);
@@ -136,6 +175,12 @@ class PositionPredictor {
     return [this](const Origin& v) { return near_.positions[v.a]; };
   }
 
+  PointOf old_in_place_inside() const {
+    return [this](const Origin& v) {
+      return near_.on_boundary[v.a] ? right_place(v.a) : near_.positions[v.a];
+    };
+  }
+
   /// The weight of each neighbour inside, by the rule at hand.
   double weight(std::uint32_t v) const {
     return neighbour_weight(right_->rule, near_.neighbours[v].size());
@@ -147,21 +192,45 @@ class PositionPredictor {
     add("edge-weights-swapped", nullptr, [this](const Origin& e) {
       return is_inside(e) ? near_.edge_point(e, 0.125, 0.375, near_.positions) : midpoint(e);
     });
-    add("integer-division", nullptr, [](const Origin&) { return Point3{}; });
+    const PointOf zero = [](const Origin&) { return Point3{}; };
+    add("new-position-not-set", nullptr, zero);
+    add("integer-division", nullptr, zero);
+    add("integer-division", old_in_place_inside(), zero);
+    add("integer-division", old_in_place_inside(),
+        [this, zero](const Origin& e) { return is_inside(e) ? Point3{} : midpoint(e); });
     add("not-moved", old_in_place(), halves);
   }
 
+  /// The weight of an old vertex itself: 1 - n u, or as if each neighbour had u / 2.
+  enum class Own { kRest, kAsIfOnce };
+
   /// A rule u(n) for all old vertices inside; those on a boundary stay right.
-  PointOf smoothing(const std::function<double(double)>& u) const {
-    return [this, u](const Origin& v) {
+  PointOf smoothing(const std::function<double(double)>& u, Own own = Own::kRest) const {
+    return [this, u, own](const Origin& v) {
       if (near_.on_boundary[v.a]) return right_place(v.a);
       const double n = static_cast<double>(near_.neighbours[v.a].size());
-      return near_.smoothed(v.a, n, u(n), near_.positions);
+      const double counted = own == Own::kRest ? n : 0.5 * n;
+      return near_.smoothed(v.a, counted, u(n), near_.positions);
     };
   }
 
   void predict_old_vertices() {
     add("old-not-copied", old_in_place(), nullptr);
+    add("integer-weight", old_in_place_inside(), nullptr);
+    add(
+        "integer-three-sixteenths",
+        [this](const Origin& v) {
+          const bool of_three = near_.neighbours[v.a].size() == 3 && !near_.on_boundary[v.a];
+          return of_three ? near_.positions[v.a] : right_place(v.a);
+        },
+        nullptr);
+    add("neighbours-twice",
+        smoothing(
+            [this](double n) {
+              return 2.0 * neighbour_weight(right_->rule, static_cast<std::size_t>(n));
+            },
+            Own::kAsIfOnce),
+        nullptr);
     add("same-weight-everywhere", smoothing([](double) { return 3.0 / 16.0; }), nullptr);
     add("no-valence-three", smoothing([](double n) { return 3.0 / (8.0 * n); }), nullptr);
     add(
@@ -175,6 +244,13 @@ class PositionPredictor {
 
   /// The valence of a boundary vertex is counted in edges by some, in faces by Vertex::degree.
   void predict_boundary() {
+    add(
+        "boundary-vertices-counted",
+        [this](const Origin& v) {
+          return near_.on_boundary[v.a] ? near_.smoothed_by_boundary_vertices(v.a)
+                                        : right_place(v.a);
+        },
+        nullptr);
     for (std::size_t fewer : {0U, 1U}) {
       add(
           "boundary-like-inside",
@@ -186,6 +262,36 @@ class PositionPredictor {
           },
           nullptr);
     }
+  }
+
+  /// The two other weightings of MeshLab, of closed meshes: an edge has weights of its own
+  /// where one of its ends has six neighbours and the other has not.
+  void predict_tuned_weights() {
+    for (const TunedWeights* tuned : {&kTunedForRegularity, &kTunedForContinuity}) {
+      add(tuned->name, smoothing([tuned](double n) {
+            const auto k = static_cast<std::size_t>(n);
+            return tuned->knows(k) ? (1.0 - tuned->own[k - 3]) / n
+                                   : neighbour_weight(VertexRule::kLoop, k);
+          }),
+          [this, tuned](const Origin& e) { return tuned_edge_point(*tuned, e); });
+    }
+  }
+
+  Point3 tuned_edge_point(const TunedWeights& tuned, const Origin& e) const {
+    const auto valence = [&](std::uint32_t v) { return near_.neighbours[v].size(); };
+    const bool first_regular = valence(e.a) == 6;
+    const std::uint32_t regular = first_regular ? e.a : e.b;
+    const std::uint32_t other = first_regular ? e.b : e.a;
+    const std::size_t k = valence(other);
+    if (valence(regular) != 6 || !tuned.knows(k)) {
+      return near_.edge_point(e, 0.375, 0.125, near_.positions);
+    }
+    const double opposites = tuned.opposite[k - 3];
+    const double irregular = tuned.irregular[k - 3];
+    Point3 sum = near_.edge_point(e, 0.0, opposites, near_.positions);
+    meshgrade::add(sum, near_.positions[other], irregular);
+    meshgrade::add(sum, near_.positions[regular], 1.0 - irregular - 2.0 * opposites);
+    return sum;
   }
 
   /// Smoothing after the splits, when the neighbours are the new vertices of the edges.
@@ -282,14 +388,41 @@ const Misconceptions& position_misconceptions() {
       {"edge-midpoints",
        "new vertices lie in the middle of their edges: they need the weights 3/8 and 1/8"},
       {"edge-weights-swapped", "3/8 and 1/8 are swapped: 3/8 is for the ends of the edge"},
+      {"new-position-not-set",
+       "all new vertices are at (0, 0, 0): the point of the edge is not handed on to the new "
+       "vertex. splitEdge returns that vertex: set its newPosition"},
       {"integer-division",
        "weights such as 3/8 are divided as whole numbers and become 0: write 3.0 / 8.0"},
+      {"integer-weight",
+       "old vertices stay where they were: the weight u is divided as a whole number and "
+       "becomes 0: write 3.0 / (8.0 * n)"},
+      {"integer-three-sixteenths",
+       "old vertices with three neighbours stay where they were: 3/16 is divided as whole "
+       "numbers and becomes 0: write 3.0 / 16.0"},
+      {"last-not-copied",
+       "the last vertex is left out: it alone has not got its new position. Look at where the "
+       "loop that copies newPosition to position ends"},
+      {"first-not-copied",
+       "the first vertex is left out: it alone has not got its new position. Look at where the "
+       "loop that copies newPosition to position begins"},
+      {"neighbours-twice",
+       "every neighbour is counted twice, so that the weights add up to more than 1: each "
+       "neighbour lies in two triangles"},
+      {"boundary-vertices-counted",
+       "on the boundary, all neighbours that lie on a boundary are counted: only the two along "
+       "the boundary are, over edges that lie on it. With a third one the weights add up to "
+       "9/8"},
+      {"tuned-for-regularity",
+       "these are weights tuned for regularity, as MeshLab's \"Enhance regularity\" has them: "
+       "Loop's or Warren's are asked"},
+      {"tuned-for-continuity",
+       "these are weights tuned for continuity, as MeshLab's \"Enhance continuity\" has them: "
+       "Loop's or Warren's are asked"},
       {"not-moved",
        "the triangles are right, but no point has moved: newPosition is never computed, or "
        "never copied"},
       {"old-not-copied",
-       "old vertices stay where they were: their newPosition is not copied to position (or "
-       "the weight u is divided as a whole number and becomes 0)"},
+       "old vertices stay where they were: their newPosition is not copied to position"},
       {"same-weight-everywhere", "u = 3/16 is for valence 3 only: otherwise it is 3 / (8 n)"},
       {"no-valence-three",
        "u = 3 / (8 n) is used for valence 3, too, so that 5/8 is the own weight everywhere: "

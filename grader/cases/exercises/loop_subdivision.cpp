@@ -21,6 +21,13 @@ void add(CaseMaker& maker, const std::string& group, const std::string& what,
             SubdivisionInput{what, mesh, levels, anchoring});
 }
 
+/// The rules move with the mesh: weights that do not add up to 1 do not.
+PolygonMesh moved(const PolygonMesh& mesh, const Point3& by) {
+  return mapped(mesh, [&](const Point3& p) {
+    return Point3{p[0] + by[0], p[1] + by[1], p[2] + by[2]};
+  });
+}
+
 }  // namespace
 
 void make_loop_subdivision_cases(CaseMaker& maker) {
@@ -31,6 +38,9 @@ void make_loop_subdivision_cases(CaseMaker& maker) {
   Random random = maker.random("jitter");
   add(maker, "basic", "a stretched and shaken icosahedron",
       jittered(maker.mesh("icosahedron.obj"), 0.2, random), 1);
+  add(maker, "basic", "a double pyramid with 6 sides", bipyramid(6), 1);
+  add(maker, "basic", "octahedron.off, far from the origin",
+      moved(maker.mesh("octahedron.off"), {3.0, -2.0, 5.0}), 1);
   add(maker, "repeated", "tetrahedron.obj", maker.mesh("tetrahedron.obj"), 4);
   add(maker, "repeated", "octahedron.off", maker.mesh("octahedron.off"), 3);
   add(maker, "repeated", "cube.obj", maker.mesh("cube.obj"), 2);
@@ -45,6 +55,8 @@ void make_loop_subdivision_cases(CaseMaker& maker) {
   for (const char* file : {"two_triangles.obj", "umbrella.obj", "grid_4x4.obj"}) {
     add(maker, "boundary", file, maker.mesh(file), 1, Anchoring::kElsewhere);
   }
+  add(maker, "boundary", "two_triangles.obj, far from the origin",
+      moved(maker.mesh("two_triangles.obj"), {3.0, -2.0, 5.0}), 1);
   add(maker, "stress", "two_components.obj", maker.mesh("two_components.obj"), 2);
   add(maker, "stress", "double_torus.obj", maker.mesh("double_torus.obj"), 1);
   add(maker, "stress", "sliver.obj", maker.mesh("sliver.obj"), 1);

@@ -20,6 +20,12 @@ const Misconceptions& known_misconceptions() {
       {"whole-curve",
        "this is the point of the whole curve: evaluateStep makes one level only, and whoever "
        "calls it repeats it"},
+      {"whole-curve-t-swapped",
+       "this is the point of the whole curve, and with t and 1 - t swapped: evaluateStep makes "
+       "one level only, and at t = 0 its result begins at points[i]"},
+      {"member-read",
+       "the result comes from the member controlPoints: a step works on its argument `points`, "
+       "which holds the level before"},
       {"two-steps", "the step was applied twice"},
       {"unchanged", "the points are returned as they came"},
       {"not-computed", "all points are (0, 0): were they computed?"},
@@ -27,18 +33,26 @@ const Misconceptions& known_misconceptions() {
   return known;
 }
 
-/// What one step gives to those who misunderstand it. Nothing at the ends of the curve, where
-/// too many mistakes give the same control points.
-std::vector<Prediction<Point2>> predict(const std::vector<Point2>& given, double t) {
-  if (t == 0.0 || t == 1.0) return {};
+/// What the first step gives to those who misunderstand it.
+std::vector<Prediction<Point2>> predict_first(const std::vector<Point2>& given, double t) {
   const std::vector<Point2> halfway = de_casteljau_step(given, t);
   return {{"t-swapped", de_casteljau_step(given, 1.0 - t)},
           {"t-ignored", de_casteljau_step(given, 0.5)},
           {"t-truncated", de_casteljau_step(given, std::trunc(t))},
           {"whole-curve", {bernstein(given, t)}},
+          {"whole-curve-t-swapped", {bernstein(given, 1.0 - t)}},
           {"two-steps", de_casteljau_step(halfway, t)},
           {"unchanged", given},
           {"not-computed", std::vector<Point2>(given.size() - 1)}};
+}
+
+/// What a later step gives to those who got the first one right: they read what only then is
+/// another list than the argument. `whole` is the control polygon, `given` the level before.
+std::vector<Prediction<Point2>> predict_later(const std::vector<Point2>& whole,
+                                              const std::vector<Point2>& given, double t) {
+  const std::vector<Point2> all = de_casteljau_step(whole, t);
+  const auto count = static_cast<std::ptrdiff_t>(given.size() - 1);
+  return {{"member-read", all}, {"member-read", {all.begin(), all.begin() + count}}};
 }
 
 class StepsJudge {
@@ -54,7 +68,7 @@ class StepsJudge {
     if (!leaves_input(given, step)) return false;
     if (has_count(given, step) && has_values(given, step)) return true;
     judgement_.findings.back().likely =
-        recognize(known_misconceptions(), predict(given, input_.t), step.result,
+        recognize(known_misconceptions(), predict(index, given), step.result,
                   task_.tolerance * extent(input_.points));
     return false;
   }
@@ -72,6 +86,14 @@ class StepsJudge {
   }
 
  private:
+  /// Nothing at the ends of the curve, where too many mistakes give the same control points.
+  std::vector<Prediction<Point2>> predict(std::size_t index,
+                                          const std::vector<Point2>& given) const {
+    if (input_.t == 0.0 || input_.t == 1.0) return {};
+    return index == 0 ? predict_first(given, input_.t)
+                      : predict_later(input_.points, given, input_.t);
+  }
+
   void report(std::string rule, std::string meaning, std::string element, std::string expected,
               std::string actual, std::string look_at) {
     judgement_.verdict = Verdict::kFailed;

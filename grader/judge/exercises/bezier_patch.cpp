@@ -63,6 +63,12 @@ const Misconceptions& known_misconceptions() {
       {"t-truncated",
        "t has become a whole number: 0. Or is this simply the first control point?"},
       {"whole-curve", "this is the point of the whole curve; evaluateStep makes one level"},
+      {"whole-curve-t-swapped",
+       "this is the point of the whole curve, and with t and 1 - t swapped; evaluateStep makes "
+       "one level"},
+      {"member-read",
+       "the result comes from the member controlPoints: this function works on its argument "
+       "`points`"},
       {"two-steps", "the step was applied twice"},
       {"first-level", "this is the first point after one level: repeat until one is left"},
       {"last-of-first-level",
@@ -82,6 +88,8 @@ Predictions predict_step(const std::vector<Point3>& row, double t) {
   return {{"t-swapped", de_casteljau_step(row, 1.0 - t)},
           {"t-truncated", de_casteljau_step(row, std::trunc(t))},
           {"whole-curve", {bernstein(row, t)}},
+          {"whole-curve-t-swapped", {bernstein(row, 1.0 - t)}},
+          {"member-read", de_casteljau_step(net_besides(row)[0], t)},
           {"two-steps", de_casteljau_step(de_casteljau_step(row, t), t)},
           {"not-computed", std::vector<Point3>(row.size() - 1)}};
 }
@@ -94,6 +102,7 @@ Predictions predict_line(const std::vector<Point3>& row, double t) {
           {"first-level", {level.front()}},
           {"last-of-first-level", {level.back()}},
           {"last-point", {row.back()}},
+          {"member-read", {bernstein(net_besides(row)[0], t)}},
           {"not-computed", {Point3{}}}};
 }
 

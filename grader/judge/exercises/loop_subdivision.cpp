@@ -5,6 +5,7 @@
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
 #include "grader/cases/mesh_input.h"
+#include "grader/judge/bezier_forms.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
 #include "grader/judge/loop_match.h"
@@ -32,6 +33,12 @@ constexpr Variant kVariants[] = {
     {"Warren's weights, fixed corners", VertexRule::kWarren, CornerRule::kCorner},
     {"Loop's weights, fixed corners", VertexRule::kLoop, CornerRule::kCorner},
 };
+
+constexpr const char* kConnectivity =
+    "old vertices keep their number of edges; new ones have 6 inside and 4 on a boundary";
+constexpr const char* kWhichEdges =
+    "which new edges are flipped: those, and only those, that join an old vertex and a new one "
+    "and do not lie along an old edge";
 
 Level refine(const std::map<std::string, PolygonMesh>& meshes) {
   Level level;
@@ -184,9 +191,23 @@ class LevelsJudge {
                            ? "For example by a valence that is not computed yet"
                            : "At a boundary, a vertex has fewer faces than edges";
     } else if (all_live && task_.explain) {
-      first.likely = recognize_connectivity(before_, mesh, first_marked_);
+      lead_with(recognize_connectivity(before_, mesh, first_marked_));
     }
     return false;
+  }
+
+  /// One cause explains all rules that are broken: it is told in their place.
+  void lead_with(Misconceptions likely) {
+    if (likely.empty()) return;
+    const std::vector<Finding> broken = std::move(judgement_.findings);
+    judgement_.findings.clear();
+    report("connectivity", kConnectivity, "the mesh", "every old triangle is cut into four",
+           "other edges are flipped than those that must be; that breaks the mesh in " +
+               plural(broken.size(), "place") + ": " + broken[0].rule +
+               (broken[0].element.empty() ? "" : " at " + broken[0].element) +
+               (broken.size() > 1 ? ", and others" : ""),
+           kWhichEdges);
+    judgement_.findings[0].likely = std::move(likely);
   }
 
   /// For a viewer.
@@ -215,10 +236,14 @@ class LevelsJudge {
              plural(c.faces, "face") + ", " + plural(c.boundaries, "boundary loop");
     };
     std::string advice = "how often each edge of the old mesh is split";
-    if (have.faces < want.faces) advice += ": some edges are not split at all";
-    if (have.faces > want.faces) advice += ": some edges that are new are split again";
+    const Misconceptions likely = recognize_counts(old_, count(before_), have);
+    if (have.faces < want.faces && likely.empty())
+      advice += ": some edges are not split at all";
+    if (have.faces > want.faces && likely.empty())
+      advice += ": some edges that are new are split again";
     report("counts", "every triangle becomes four: each old edge gets one new vertex",
            "the mesh", text(want), text(have), advice);
+    judgement_.findings.back().likely = likely;
     show_valences(level, old_to_mine, mesh);
     return false;
   }
@@ -250,21 +275,17 @@ class LevelsJudge {
                             const MeshDump& mesh) {
     const std::vector<std::size_t> want = valences(level.surface);
     const std::vector<std::size_t> have = valences(mesh);
-    const char* meaning =
-        "old vertices keep their number of edges; new ones have 6 inside and 4 on a boundary";
     for (std::size_t v = 0; v < level.origins.size(); ++v) {
       const Origin& origin = level.origins[v];
       if (!origin.is_old()) continue;
       const Ref mine = old_to_mine[origin.a];
       if (mine >= have.size() || have[mine] == want[v]) continue;
-      report("connectivity", meaning, vertex_name(mine),
+      report("connectivity", kConnectivity, vertex_name(mine),
              "the old vertex " + vertex_name(mine) + " has " + plural(want[v], "edge"),
-             plural(have[mine], "edge"),
-             "which new edges are flipped: those, and only those, that join an old vertex "
-             "and a new one and do not lie along an old edge");
+             plural(have[mine], "edge"), kWhichEdges);
       return;
     }
-    report("connectivity", meaning, "the mesh", "every old triangle is cut into four",
+    report("connectivity", kConnectivity, "the mesh", "every old triangle is cut into four",
            "the triangles are joined in another way",
            "which new edges are flipped, and whether they are marked with isNew");
   }
@@ -301,6 +322,9 @@ class LevelsJudge {
     if (task_.explain) {
       Finding& finding = judgement_.findings.back();
       finding.likely = likely_positions(level, actual, size);
+      const Misconceptions left_out =
+          not_copied(level.origins, expected, actual, mesh, allowed);
+      finding.likely.insert(finding.likely.end(), left_out.begin(), left_out.end());
       finding.surface =
           figure_of_positions(level.surface, expected, mesh, match_, allowed, size);
     }
@@ -362,6 +386,32 @@ class LevelsJudge {
       step.right.push_back({find_variant(name).vertex_rule, polygons.positions});
     }
     return recognize_positions(step, actual, task_.tolerance * size);
+  }
+
+  /// Names the first or the last vertex of the student's list, if it alone is where the splits
+  /// have left it.
+  Misconceptions not_copied(const std::vector<Origin>& origins,
+                            const std::vector<Point3>& expected,
+                            const std::vector<Point3>& actual, const MeshDump& mesh,
+                            double allowed) const {
+    std::vector<std::size_t> wrong;
+    for (std::size_t v = 0; v < actual.size(); ++v) {
+      if (!(distance(expected[v], actual[v]) <= allowed)) wrong.push_back(v);
+    }
+    if (wrong.size() != 1) return {};
+    const Origin& origin = origins[wrong[0]];
+    const Point3 left = blend(old_.positions[origin.a], old_.positions[origin.b], 0.5);
+    if (!(distance(left, actual[wrong[0]]) <= allowed)) return {};
+    const auto is_live = [](const VertexRecord& v) { return v.live != 0; };
+    const auto& vertices = mesh.vertices;
+    const auto first = std::find_if(vertices.begin(), vertices.end(), is_live);
+    const auto last = std::find_if(vertices.rbegin(), vertices.rend(), is_live);
+    const Ref mine = match_[wrong[0]];
+    if (mine == static_cast<Ref>(first - vertices.begin()))
+      return {find_misconception(loop_misconceptions(), "first-not-copied")};
+    if (mine + 1 == static_cast<Ref>(vertices.rend() - last))
+      return {find_misconception(loop_misconceptions(), "last-not-copied")};
+    return {};
   }
 
   Conventions keep_agreeing(const Conventions& agreeing) const {

@@ -11,6 +11,10 @@
 namespace meshgrade {
 namespace {
 
+bool points_like(const Point3& unit, const Point3& normal, double norm, double tolerance) {
+  return distance(unit, {normal[0] / norm, normal[1] / norm, normal[2] / norm}) <= tolerance;
+}
+
 /// What is wrong with a normal: it is no number, it is too long, or it points elsewhere.
 Finding wrong_normal(const JudgeTask& task, const NormalInput& input, const WorstPoint& worst,
                      const Point3& expected, const Point3& normal) {
@@ -29,7 +33,12 @@ Finding wrong_normal(const JudgeTask& task, const NormalInput& input, const Wors
   if (std::abs(norm - 1.0) > task.tolerance) {
     return make_finding(
         "unit-length", "a normal has length 1", "", vertex, point_text(expected),
-        point_text(normal) + ", of length " + number_text(norm), "the end of Vertex::normal");
+        point_text(normal) + ", of length " + number_text(norm),
+        norm == 0.0 ? "is anything added to the sum in Vertex::normal?"
+        : points_like(expected, normal, norm, task.tolerance)
+            ? "the end of Vertex::normal"
+            : "its direction, too, is wrong: first which faces are counted in Vertex::normal, "
+              "and with which weights");
   }
   return make_finding("value",
                       "the mean of the normals of the faces around, weighted by their areas",

@@ -1,0 +1,35 @@
+// Wrong: all levels at once, and t and 1 - t are swapped.
+#include "meshedit/meshedit.h"
+
+namespace meshedit {
+
+std::vector<Vector3D> BezierPatch::evaluateStep(const std::vector<Vector3D>& points,
+                                                double t) const {
+  std::vector<Vector3D> level = points;
+  while (level.size() > 1) {
+    std::vector<Vector3D> next;
+    for (std::size_t i = 0; i + 1 < level.size(); ++i) {
+      next.push_back(t * level[i] + (1.0 - t) * level[i + 1]);
+    }
+    level = next;
+  }
+  return level;
+}
+
+Vector3D BezierPatch::evaluate1D(const std::vector<Vector3D>& points, double t) const {
+  std::vector<Vector3D> level = points;
+  while (level.size() > 1) {
+    level = evaluateStep(level, t);
+  }
+  return level.front();
+}
+
+Vector3D BezierPatch::evaluate(double u, double v) const {
+  std::vector<Vector3D> column;
+  for (const std::vector<Vector3D>& row : controlPoints) {
+    column.push_back(evaluate1D(row, u));
+  }
+  return evaluate1D(column, v);
+}
+
+}  // namespace meshedit

@@ -1,0 +1,27 @@
+// Wrong: the sum begins with the position of the vertex.
+#include "meshedit/meshedit.h"
+
+namespace meshedit {
+
+Vector3D Vertex::normal() const {
+  // The face on the left of h is v -> b -> c, counter-clockwise seen from outside:
+  //
+  //         c                 (b - v) x (c - v) points outward, and its length is twice
+  //       /   .               the area of the face: the weight is in it already.
+  //      /     .  h->next()
+  //     v ----> b
+  //         h
+  Vector3D sum = position;
+  HalfedgeCIter h = halfedge();
+  do {
+    if (!h->isBoundary()) {
+      const Vector3D b = h->next()->vertex()->position;
+      const Vector3D c = h->next()->next()->vertex()->position;
+      sum += cross(b - position, c - position);
+    }
+    h = h->twin()->next();
+  } while (h != halfedge());
+  return sum.unit();
+}
+
+}  // namespace meshedit
