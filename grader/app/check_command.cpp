@@ -13,6 +13,7 @@
 #include "grader/app/progress_store.h"
 #include "grader/app/replay_command.h"
 #include "grader/app/require_sandbox.h"
+#include "grader/app/sanitized_replay.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
 #include "grader/report/html_report.h"
@@ -59,6 +60,10 @@ int check(const CheckOptions& options) {
   const Progress progress = terminal_progress();
   if (!options.figures.empty()) make_figure_folder(options.figures);
   Report report = grade(assignment, submission, home, options.exercises, progress);
+  // The sanitizers ask for more rights than a strict sandbox leaves.
+  if (!options.require_sandbox) {
+    explain_first_crash(assignment, submission, home, progress, report);
+  }
   progress("");
   remember_or_warn(options.submission, report);
   const std::size_t pictures =
