@@ -26,17 +26,18 @@ bool is_on_path(const std::string& program) {
   return false;
 }
 
-std::vector<std::string> debugger_command(const Build& build,
-                                          const std::vector<std::string>& functions,
-                                          const std::filesystem::path& sources) {
+std::vector<std::string> debugger_command(const Build& build, const DebugSession& session) {
   std::vector<std::string> command{"gdb", "-q", build.worker.string()};
   const auto add = [&](const std::string& line) {
     command.insert(command.end(), {"-ex", line});
   };
   add("set breakpoint pending on");
   add("set follow-fork-mode child");  // the student's code runs in the worker's child
-  add("directory " + std::filesystem::absolute(sources).string());
-  for (const std::string& function : functions)
+  add("directory " + std::filesystem::absolute(session.sources).string());
+  // A gdb without Python says so, and goes on.
+  add("source " + session.printers.string());
+  if (!session.corners.empty()) add("python set_corners('" + session.corners + "')");
+  for (const std::string& function : session.functions)
     add("break meshedit::" + function);
   add("run");
   return command;
@@ -76,14 +77,12 @@ void require_debugger() {
   throw UserError("--debug needs gdb, which is not installed: sudo apt-get install gdb");
 }
 
-int run_debugger(const Build& build, const FileDescriptor& tasks,
-                 const std::vector<std::string>& functions,
-                 const std::filesystem::path& sources) {
+int run_debugger(const Build& build, const FileDescriptor& tasks, const DebugSession& session) {
   const FileDescriptor results = make_scratch_file();
   const FileDescriptor hidden = make_scratch_file();
   // The worker empties its output after each case, which a terminal does not mind.
   const int output = ::isatty(STDOUT_FILENO) != 0 ? STDOUT_FILENO : hidden.get();
-  const std::vector<std::string> command = debugger_command(build, functions, sources);
+  const std::vector<std::string> command = debugger_command(build, session);
   const pid_t child = ::fork();
   if (child < 0) throw GraderError("cannot start gdb: no process can be made");
   if (child == 0) become_debugger(command, tasks.get(), results.get(), output);

@@ -10,16 +10,16 @@
 #include "grader/app/figure_files.h"
 #include "grader/app/grading.h"
 #include "grader/app/progress_store.h"
-#include "grader/app/sanitizer_log.h"
+#include "grader/app/sanitized_replay.h"
 #include "grader/base/errors.h"
 #include "grader/cases/case_list.h"
+#include "grader/cases/mesh_input.h"
+#include "grader/judge/operations_judge.h"
 #include "grader/report/terminal_report.h"
 #include "grader/run/run.h"
 
 namespace meshgrade {
 namespace {
-
-constexpr std::uint32_t kSanitizersSlowDown = 10;
 
 struct ReplayOptions {
   std::string case_id;
@@ -74,23 +74,22 @@ int replay_plainly(const Replay& replay, const ReplayOptions& options) {
       options);
 }
 
-int replay_sanitized(Replay replay, const ReplayOptions& options) {
-  Limits& limits = replay.assignment.limits;
-  limits.memory_mb = 0;  // the address sanitizer reserves terabytes
-  limits.case_cpu_ms *= kSanitizersSlowDown;
-  limits.case_wall_ms *= kSanitizersSlowDown;
-  limits.compile_seconds *= kSanitizersSlowDown;
-  const Build built = build(replay, BuildKind::kSanitized);
-  set_up_sanitizers(built);
-  Report report =
-      grade_case(replay.assignment, replay.submission, find_home(), built, replay.asked);
-  const std::string log = read_sanitizer_log(built);
-  CaseReport& judged = report.exercises.at(0).cases.at(0);
-  if (!log.empty()) judged = with_sanitizer_finding(std::move(judged), log);
+int replay_under_sanitizers(const Replay& replay, const ReplayOptions& options) {
+  const Progress progress = terminal_progress();
+  progress("compiling for the sanitizers");
+  const auto [report, log] =
+      replay_sanitized(replay.assignment, replay.submission, find_home(), replay.asked);
+  progress("");
   const int exit_code = print_case(report, options);
   std::cout << "\n"
             << (log.empty() ? "the sanitizers found nothing\n" : "the sanitizers say:\n" + log);
   return log.empty() ? exit_code : 1;
+}
+
+/// How the report calls the corners of a flip or split.
+std::string letters_for(const Case& asked) {
+  if (asked.exercise != "edge_flip" && asked.exercise != "edge_split") return {};
+  return corner_letters(from_wire<OperationsInput>(asked.input));
 }
 
 int replay_in_debugger(Replay replay) {
@@ -109,14 +108,17 @@ int replay_in_debugger(Replay replay) {
   limits.case_wall_ms = INT32_MAX;
   const FileDescriptor tasks = make_task_file({&replay.asked}, limits, Company::kAlone);
   std::cout << replay.asked.id() << ": " << replay.asked.title << "\n" << std::flush;
-  return run_debugger(built, tasks, judge.functions, replay.submission.folder);
+  return run_debugger(
+      built, tasks,
+      {judge.functions, replay.submission.folder,
+       find_home().include / "gdb" / "meshedit_printers.py", letters_for(replay.asked)});
 }
 
 int replay(const ReplayOptions& options) {
   if (!options.figures.empty()) make_figure_folder(options.figures);
   Replay replay = prepare(options);
   if (options.debug) return replay_in_debugger(std::move(replay));
-  if (options.sanitize) return replay_sanitized(std::move(replay), options);
+  if (options.sanitize) return replay_under_sanitizers(replay, options);
   return replay_plainly(replay, options);
 }
 

@@ -81,12 +81,15 @@ TEST_F(ReplayCommand, DebuggerStopsAtTheStudentsFunction) {
   if (std::system("gdb --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "gdb is not installed";
   const Said said =
       call({"replay", "edge_flip:basic/1", wrong("edge_flip/next_wrong"), "--debug"},
-           "print 6 * 7\nkill\n");
+           "print 6 * 7\nprint e0\nnext 2\nprint h\nkill\n");
   if (said.output.find("ptrace: Operation not permitted") != std::string::npos) {
     GTEST_SKIP() << "no process may be debugged here";
   }
   EXPECT_THAT(said.output, HasSubstr("hit Breakpoint 1, meshedit::HalfedgeMesh::flipEdge"));
   EXPECT_THAT(said.output, HasSubstr("= 42"));
+  // Handles print as the report names them.
+  EXPECT_THAT(said.output, testing::ContainsRegex("= e[0-9]+ \\(bc -> v[0-9]+\\)"));
+  EXPECT_THAT(said.output, testing::ContainsRegex("= h[0-9]+ \\(bc -> v[0-9]+\\)"));
 }
 
 }  // namespace
