@@ -2,13 +2,16 @@
 
 #include <unistd.h>
 
+#include <fstream>
 #include <iostream>
+#include <iterator>
 
 #include "grader/app/context.h"
 #include "grader/app/grading.h"
 #include "grader/base/errors.h"
 #include "grader/base/safe_file.h"
 #include "grader/mutants/adequacy_page.h"
+#include "grader/mutants/mistake_table.h"
 
 namespace meshgrade {
 namespace {
@@ -40,7 +43,38 @@ void show_progress(const std::string& what, std::size_t done, std::size_t count)
   if (done == count) std::cerr << "\r\033[K" << std::flush;
 }
 
+GradeFunction quiet_grading(const Assignment& assignment, const Home& home) {
+  return [&](const Submission& submission, const std::vector<std::string>& exercises) {
+    return grade(assignment, submission, home, exercises, [](const std::string&) {});
+  };
+}
+
+std::vector<KnownMistake> grade_mistakes(unsigned jobs) {
+  const Assignment assignment = strict_assignment();
+  const Home home = find_home();
+  const std::filesystem::path source = source_folder();
+  const Submission reference = find_submission(source / "reference", assignment.submission);
+  return grade_known_mistakes(assignment, source / "tests" / "submissions" / "wrong", reference,
+                              quiet_grading(assignment, home), jobs, show_progress);
+}
+
+std::filesystem::path adequacy_page() {
+  return source_folder() / "docs" / "adequacy.md";
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 }  // namespace
+
+int write_known_mistakes(unsigned jobs) {
+  const std::filesystem::path page = adequacy_page();
+  write_file_safely(page, with_mistakes(read_text(page), grade_mistakes(jobs)));
+  std::cout << "wrote " << page.string() << "\n";
+  return 0;
+}
 
 Adequacy measure_standard_adequacy(const AdequacyOptions& options,
                                    const JobProgress& progress) {
@@ -66,8 +100,10 @@ int check_adequacy(const AdequacyOptions& options, const std::string& page) {
       adequacy.mutants.size() >= kMutantsOfAPage && options.exercise.empty();
   if (tells_enough || !page.empty()) {
     const std::filesystem::path file =
-        page.empty() ? source_folder() / "docs" / "adequacy.md" : std::filesystem::path(page);
-    write_file_safely(file, to_markdown(adequacy));
+        page.empty() ? adequacy_page() : std::filesystem::path(page);
+    const std::string text = to_markdown(adequacy);
+    write_file_safely(file,
+                      page.empty() ? with_mistakes(text, grade_mistakes(options.jobs)) : text);
     std::cout << "wrote " << file.string() << "\n";
   }
   return adequacy.is_proven() ? 0 : 1;

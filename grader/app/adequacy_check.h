@@ -12,4 +12,8 @@ Adequacy measure_standard_adequacy(const AdequacyOptions& options, const JobProg
 /// @return the exit code: 0 if all is proven, 1 if not
 int check_adequacy(const AdequacyOptions& options, const std::string& page);
 
+/// `dev-check --mistakes`: grades the submissions with known mistakes, `jobs` at a time, and
+/// writes what is said of them into docs/adequacy.md. @return the exit code
+int write_known_mistakes(unsigned jobs);
+
 }  // namespace meshgrade

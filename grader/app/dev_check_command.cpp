@@ -122,6 +122,7 @@ int dev_check(bool write) {
 struct Options {
   bool write = false;
   bool mutants = false;
+  bool mistakes = false;
   AdequacyOptions adequacy;
   std::string page;
 };
@@ -159,6 +160,10 @@ void add_dev_check_command(CLI::App& app, int& exit_code) {
   command->add_flag("--write", options->write,
                     "First write the skeleton's files anew from the reference");
   add_mutant_options(command, *options);
+  command
+      ->add_flag("--mistakes", options->mistakes,
+                 "Only write what is said of known mistakes into docs/adequacy.md")
+      ->excludes("--mutants");
   command->footer(
       "Examples:\n"
       "  meshgrade dev-check\n"
@@ -166,8 +171,9 @@ void add_dev_check_command(CLI::App& app, int& exit_code) {
       "  meshgrade dev-check --mutants --sample 40 --only edge_flip\n"
       "Exit code: 0 all agree, 1 something does not, 2 or 3 an error.");
   command->callback([options, &exit_code] {
-    exit_code = options->mutants ? check_adequacy(options->adequacy, options->page)
-                                 : dev_check(options->write);
+    exit_code = options->mutants    ? check_adequacy(options->adequacy, options->page)
+                : options->mistakes ? write_known_mistakes(options->adequacy.jobs)
+                                    : dev_check(options->write);
   });
 }
 
