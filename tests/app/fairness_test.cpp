@@ -107,11 +107,13 @@ TEST_P(Fairness, LeavesTheOthersTheirPoints) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, Fairness, testing::ValuesIn(all_broken()), [](const auto& info) {
-  std::string name = info.param.function + "_" + info.param.harm.name;
-  name.replace(name.find("::"), 2, "_");
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(, Fairness, testing::ValuesIn(all_broken()),
+                         [](const auto& parameter) {
+                           std::string name =
+                               parameter.param.function + "_" + parameter.param.harm.name;
+                           name.replace(name.find("::"), 2, "_");
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace meshgrade

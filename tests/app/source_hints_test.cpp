@@ -8,8 +8,8 @@ namespace {
 TEST(SourceHints, WholeNumbersAreDividedWithoutAPoint) {
   for (const char* whole : {"x = 3 / 8 * y;", "u = 3/16;", "return 3 / (8 * n);", "u = 3 / n;"})
     EXPECT_TRUE(divides_whole_numbers(whole)) << whole;
-  for (const char* real : {"x = 3.0 / 8.0;", "x = 3. / 8;", "x = 3 / 8.0;", "x = 3 / (8.0 * n);",
-                           "x = sum / 2;", "// 3 / 8", "x = .375;"}) {
+  for (const char* real : {"x = 3.0 / 8.0;", "x = 3. / 8;", "x = 3 / 8.0;",
+                           "x = 3 / (8.0 * n);", "x = sum / 2;", "// 3 / 8", "x = .375;"}) {
     EXPECT_FALSE(divides_whole_numbers(real)) << real;
   }
 }
@@ -24,7 +24,8 @@ TEST(SourceHints, StaticVariableIsNamedWithItsLine) {
 TEST(SourceHints, FreeFunctionIsADefinitionWithoutItsClass) {
   const std::string free = "int x;\nstd::vector<P> evaluateStep(const V& points) {\n}\n";
   EXPECT_EQ(find_free_function(free, "evaluateStep"), 2);
-  EXPECT_EQ(find_free_function("V B::evaluateStep(const V& p) const {\n}\n", "evaluateStep"), 0);
+  EXPECT_EQ(find_free_function("V B::evaluateStep(const V& p) const {\n}\n", "evaluateStep"),
+            0);
   EXPECT_EQ(find_free_function("void f() {\n  evaluateStep(p);\n}\n", "evaluateStep"), 0);
   EXPECT_EQ(find_free_function("V evaluateStep(V p);\n", "evaluateStep"), 0);
 }
