@@ -110,6 +110,20 @@ bool is_all_right(const JudgedExercise& exercise) {
   });
 }
 
+namespace {
+
+/// What there is to say of right answers, once each.
+void note_right_answers(JudgedExercise& judged) {
+  for (const JudgedCase& c : judged.cases) {
+    const std::string& note = c.judgement.note;
+    if (c.judgement.verdict != Verdict::kPassed || note.empty()) continue;
+    if (std::find(judged.notes.begin(), judged.notes.end(), note) == judged.notes.end())
+      judged.notes.push_back(note);
+  }
+}
+
+}  // namespace
+
 JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
                               const Candidate& candidate, const ExerciseRubric& rubric,
                               const std::vector<Case>& cases,
@@ -132,6 +146,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
   for (JudgedCase& c : judged.cases)
     told.push_back(&c.judgement);
   tell_apart(told);
+  note_right_answers(judged);
   note_handle_references(candidate.submission, judge.functions, judged);
   if (conventions.size() == 1 && !has_failure(judged)) {
     judged.notes.push_back("found: " + *conventions.begin());

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "grader/base/errors.h"
+#include "grader/base/text.h"
 
 namespace meshgrade {
 namespace {
@@ -50,6 +51,20 @@ class Section {
       fail(*table_.get(key), full(key) + " must be a whole number from 1 to 1000000000");
     }
     return static_cast<std::uint32_t>(value);
+  }
+
+  /// One of these words; the first, if the key is not there.
+  template <class T>
+  T get_choice(const std::string& key, const std::vector<std::pair<std::string, T>>& choices) {
+    known_.insert(key);
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) return choices.at(0).second;
+    std::vector<std::string> words;
+    for (const auto& [name, value] : choices) {
+      if (node->value<std::string>() == name) return value;
+      words.push_back("\"" + name + "\"");
+    }
+    fail(*node, full(key) + " must be one of " + join(words, ", "));
   }
 
   std::vector<std::string> get_strings(const std::string& key) {
@@ -218,7 +233,9 @@ Group read_group(Section& section, const std::vector<Group>& before) {
   group.title = section.get<std::string>("title", group.name);
   group.points = section.require_at_least("points", 0.0);
   group.extra_credit = section.get("extra_credit", false);
-  group.partial = section.get("partial", false);
+  group.partial = section.get_choice<Partial>(
+      "partial",
+      {{"none", Partial::kNone}, {"cases", Partial::kCases}, {"pointers", Partial::kPointers}});
   group.needs = section.get<std::string>("needs", "");
   const auto named = [](const std::string& name) {
     return [name](const Group& other) { return other.name == name; };

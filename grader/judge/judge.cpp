@@ -264,7 +264,13 @@ ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric) {
   if (found == judges.end()) {
     throw UserError(rubric.place + ": there is no exercise \"" + rubric.name + "\"");
   }
-  return found->second(rubric);
+  ExerciseJudge judge = found->second(rubric);
+  for (const Group& group : rubric.groups) {
+    if (group.partial != Partial::kPointers || judge.counts_pointers) continue;
+    throw UserError(group.place + ": " + rubric.name +
+                    " sets no pointers: partial can be \"none\" or \"cases\" here");
+  }
+  return judge;
 }
 
 CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,

@@ -76,7 +76,12 @@ void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
   if (judgement.findings.empty() && judgement.verdict == Verdict::kPassed) {
     require_all_steps(task.outcome, input.operations.size());
   }
-  if (!judgement.findings.empty()) judgement.verdict = Verdict::kFailed;
+  if (!judgement.findings.empty()) {
+    judgement.verdict = Verdict::kFailed;
+    judgement.note.clear();  // of a step before that is right
+    judgement.right_share = (static_cast<double>(done) + judgement.right_share) /
+                            static_cast<double>(input.operations.size());
+  }
   leave_to_other_exercise(task, input, done, judgement);
 }
 

@@ -52,7 +52,7 @@ inline Assignment one_exercise() {
   assignment.title = "Meshes";
   ExerciseRubric rubric;
   rubric.name = "edge_flip";
-  rubric.groups.push_back({"basic", "", 10.0, false, false, "", ""});
+  rubric.groups.push_back({"basic", "", 10.0, false, Partial::kNone, "", ""});
   assignment.exercises = {rubric};
   return assignment;
 }

@@ -171,6 +171,11 @@ TEST(JudgeOptions, UnknownOnesAreRefusedWithTheNamesOfTheChoices) {
   ExerciseRubric flip = *standard_rubric().find("edge_flip");
   flip.options["anything"].value = "x";
   EXPECT_NE(user_error([&] { find_exercise_judge(flip); }).find("anything"), std::string::npos);
+  flip.options.clear();
+  ExerciseRubric curve = *standard_rubric().find("bezier_curve");
+  curve.groups[0].partial = Partial::kPointers;
+  EXPECT_NE(user_error([&] { find_exercise_judge(curve); }).find("sets no pointers"),
+            std::string::npos);
   flip.name = "edge_collapse";
   EXPECT_NE(user_error([&] { find_exercise_judge(flip); }).find("edge_collapse"),
             std::string::npos);

@@ -74,6 +74,65 @@ TEST_F(OperationsJudge, NothingDoneToAnInnerEdgeIsToldAsSuch) {
   EXPECT_EQ(rule_of(judge(split_, {idle_step(split_)})), "nothing-done");
 }
 
+TEST_F(OperationsJudge, ShareOfWhatIsRightCountsPointersAndTheReturnedHandle) {
+  EXPECT_EQ(judge(flip_, {idle_step(flip_)}).right_share, 0.0);
+  EXPECT_EQ(judge(split_, {idle_step(split_)}).right_share, 0.0);
+  OperationStep step = right_step(split_);
+  step.returned = kUnsetRef;
+  const double only_returned = judge(split_, {step}).right_share;
+  EXPECT_GT(only_returned, 0.9);
+  step.after.edges[step.edge].halfedge = kUnsetRef;
+  const double one_more = judge(split_, {step}).right_share;
+  // Of the same number of things one more is wrong.
+  EXPECT_NEAR(1.0 - one_more, 2.0 * (1.0 - only_returned), 1e-12);
+}
+
+// The same pointers as of an inner edge: the boundary loop was taken for a triangle.
+TEST_F(OperationsJudge, BoundaryEdgeSplitLikeAnInnerOneIsToldAsSuch) {
+  OperationStep step = idle_step(border_);
+  for (int i = 0; i < 6; ++i)
+    step.after.halfedges.push_back({0, 0, 0, 0, 0, 1});
+  step.after.vertices.push_back({0, 1, {}});
+  for (int i = 0; i < 3; ++i)
+    step.after.edges.push_back({0, 1});
+  for (int i = 0; i < 2; ++i)
+    step.after.faces.push_back({0, 1, 0});
+  step.after.halfedges[0].next = 7;
+  const CaseJudgement judgement = judge(border_, {step});
+  EXPECT_EQ(rule_of(judgement), "boundary-edge");
+  EXPECT_NE(judgement.findings[0].look_at.find("no test for a boundary"), std::string::npos);
+}
+
+// Nobody can tell it from one that keeps them but by a handle kept from before.
+TEST_F(OperationsJudge, SplitThatReplacesHalfedgesFacesAndItsEdgeIsRightWithANote) {
+  OperationStep step = right_step(split_);
+  MeshDump& mesh = step.after;
+  const auto replace = [](auto& records, Ref old) {
+    records.push_back(records[old]);
+    records[old].live = 0;
+    return static_cast<Ref>(records.size() - 1);
+  };
+  const Ref h = mesh.edges[step.edge].halfedge;
+  const Ref face = mesh.halfedges[h].face;
+  const Ref new_edge = replace(mesh.edges, step.edge);
+  const Ref new_face = replace(mesh.faces, face);
+  const Ref new_halfedge = replace(mesh.halfedges, h);
+  for (HalfedgeRecord& record : mesh.halfedges) {
+    if (record.edge == step.edge) record.edge = new_edge;
+    if (record.face == face) record.face = new_face;
+    if (record.next == h) record.next = new_halfedge;
+    if (record.twin == h) record.twin = new_halfedge;
+  }
+  for (auto* anchor : {&mesh.edges[new_edge].halfedge, &mesh.faces[new_face].halfedge})
+    *anchor = new_halfedge;
+  for (VertexRecord& v : mesh.vertices) {
+    if (v.halfedge == h) v.halfedge = new_halfedge;
+  }
+  const CaseJudgement judgement = judge(split_, {step});
+  EXPECT_EQ(judgement.verdict, Verdict::kPassed);
+  EXPECT_NE(judgement.note.find("deletes old elements"), std::string::npos);
+}
+
 TEST_F(OperationsJudge, AnotherReturnedElementIsToldAsSuch) {
   OperationStep step = right_step(flip_);
   step.returned = step.edge + 1;

@@ -12,7 +12,8 @@ ExerciseJudge edge_split_judge(const ExerciseRubric& rubric) {
             judge_operations(task, judgement);
           },
           split_misconceptions(),
-          show_stopped_operation};
+          show_stopped_operation,
+          true};
 }
 
 }  // namespace meshgrade

@@ -1,4 +1,5 @@
-// Wrong: deletes the old edge and makes two new ones.
+// Deletes the old edge and makes two new ones: the surface is the same, and so are all names of
+// vertices and other edges.
 #include "meshedit/meshedit.h"
 
 namespace meshedit {
