@@ -37,12 +37,18 @@ bool parse_integer(std::string_view word, std::int64_t& number) {
   return parse_whole(word, number);
 }
 
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const std::string_view line = text.substr(0, end);
+  const std::size_t n_ends = text.substr(end).starts_with("\r\n") ? 2 : 1;
+  text.remove_prefix(std::min(end + n_ends, text.size()));
+  return line;
+}
+
 bool TextScanner::next_line() {
   while (!text_.empty()) {
     ++line_;
-    const std::size_t end = std::min(text_.find('\n'), text_.size());
-    rest_of_line_ = text_.substr(0, end);
-    text_.remove_prefix(std::min(end + 1, text_.size()));
+    rest_of_line_ = take_line(text_);
     rest_of_line_ = rest_of_line_.substr(0, rest_of_line_.find('#'));
     if (has_word()) return true;
   }
@@ -53,6 +59,10 @@ void TextScanner::require_line(const std::string& expected) {
   if (!next_line()) {
     refuse("the file ends where " + expected + " should follow; it may be cut off");
   }
+}
+
+void TextScanner::require_word(const std::string& expected) {
+  if (!has_word()) require_line(expected);
 }
 
 std::string_view TextScanner::next_word() {
@@ -66,6 +76,14 @@ std::string_view TextScanner::next_word() {
 
 bool TextScanner::has_word() const {
   return rest_of_line_.find_first_not_of(kBlanks) != std::string_view::npos;
+}
+
+std::size_t TextScanner::count_words() const {
+  TextScanner ahead = *this;
+  std::size_t n_words = 0;
+  while (!ahead.next_word().empty())
+    ++n_words;
+  return n_words;
 }
 
 double TextScanner::next_number(const std::string& expected) {

@@ -11,8 +11,8 @@
 namespace meshgrade {
 
 /// Walks over a text file line by line and word by word, and knows the line for messages.
-/// Words are separated by blanks; '#' starts a comment. Every fault is a UserError with
-/// "<file>:<line>:" in front.
+/// Words are separated by blanks; '#' starts a comment. A line ends with LF, CR LF or, as on old
+/// Macs, CR. Every fault is a UserError with "<file>:<line>:" in front.
 class TextScanner {
  public:
   TextScanner(std::filesystem::path file, std::string_view text)
@@ -22,12 +22,16 @@ class TextScanner {
   bool next_line();
   /// As next_line, but the text must not end here; `expected` says what is missing.
   void require_line(const std::string& expected);
+  /// Goes on to the next lines until there is a word, for formats in which words may stand on
+  /// any line. The text must not end here.
+  void require_word(const std::string& expected);
 
   /// The next word of this line, empty at the end of the line.
   std::string_view next_word();
   /// What next_word gave last, also on the way to a number.
   std::string_view last_word() const { return last_word_; }
   bool has_word() const;
+  std::size_t count_words() const;
   /// A finite number that single precision can hold, too.
   double next_number(const std::string& expected);
   Point3 next_point(const std::string& expected);
@@ -58,5 +62,8 @@ bool parse_number(std::string_view word, double& number);
 
 /// A whole number, from the whole of `word`.
 bool parse_integer(std::string_view word, std::int64_t& number);
+
+/// Takes the first line, without its end, off `text`.
+std::string_view take_line(std::string_view& text);
 
 }  // namespace meshgrade
