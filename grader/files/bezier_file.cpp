@@ -52,8 +52,7 @@ ControlNet read_net_by_lines(TextScanner& scanner, std::size_t patch) {
   for (std::size_t row = 0; row < net.rows; ++row) {
     if (row > 0) scanner.require_line("row " + std::to_string(row) + " of " + name);
     for (std::size_t col = 0; col < net.cols; ++col) {
-      net.points.push_back(
-          scanner.next_point("a coordinate of " + point_name(row, col, name)));
+      net.points.push_back(scanner.next_point("a coordinate of " + point_name(row, col, name)));
     }
     scanner.end_line();
   }

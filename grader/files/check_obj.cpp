@@ -13,11 +13,11 @@ namespace {
 /// Words of the format that say nothing of the shape, or belong to a curve or surface that is
 /// counted itself.
 constexpr std::array<std::string_view, 38> kPassedOver = {
-    "vt",   "vn",       "vp",       "vc",        "vw",        "g",      "o",      "s",
-    "mg",   "mtllib",   "usemtl",   "usemap",    "maplib",    "bevel",  "lod",    "c_interp",
-    "csh",  "d_interp", "shadow_obj", "trace_obj", "ctech",   "stech",  "cstype", "deg",
-    "bmat", "step",     "parm",     "trim",      "hole",      "scrv",   "sp",     "end",
-    "con",  "res",      "usemat",   "matlib",    "illum",     "curv2"};
+    "vt",   "vn",       "vp",         "vc",        "vw",     "g",     "o",      "s",
+    "mg",   "mtllib",   "usemtl",     "usemap",    "maplib", "bevel", "lod",    "c_interp",
+    "csh",  "d_interp", "shadow_obj", "trace_obj", "ctech",  "stech", "cstype", "deg",
+    "bmat", "step",     "parm",       "trim",      "hole",   "scrv",  "sp",     "end",
+    "con",  "res",      "usemat",     "matlib",    "illum",  "curv2"};
 
 /// Words of the format that carry shapes which are no polygons.
 struct OtherShape {
@@ -89,7 +89,8 @@ NamedFace read_face(TextScanner& scanner, std::size_t n_vertices_so_far) {
 }
 
 /// Counts what is no polygon. False if the word is none of the format.
-bool count_other_line(const TextScanner& scanner, std::string_view keyword, ReadingNotes& notes) {
+bool count_other_line(const TextScanner& scanner, std::string_view keyword,
+                      ReadingNotes& notes) {
   const auto shape =
       std::find_if(kOtherShapes.begin(), kOtherShapes.end(),
                    [&](const OtherShape& other) { return other.keyword == keyword; });
@@ -109,8 +110,8 @@ std::string join_lines(std::string_view text) {
   while (!text.empty()) {
     std::string_view line = take_line(text);
     const std::size_t last = line.find_last_not_of(" \t");
-    const bool goes_on = last != line.npos && line[last] == '\\' &&
-                         line.find('#') == line.npos && !text.empty();
+    const bool goes_on =
+        last != line.npos && line[last] == '\\' && line.find('#') == line.npos && !text.empty();
     joined += goes_on ? line.substr(0, last) : line;
     joined += goes_on ? ' ' : '\n';
     moved += goes_on ? 1 : 0;
@@ -123,8 +124,7 @@ void admit_faces(const std::filesystem::path& file, std::vector<NamedFace>& face
                  CheckedInput& input) {
   for (std::size_t f = 0; f < faces.size(); ++f) {
     auto& [place, corners] = faces[f];
-    if (!admit_polygon(file, place, f, corners, input.exact_positions.size(), 1,
-                       input.notes)) {
+    if (!admit_polygon(file, place, f, corners, input.exact_positions.size(), 1, input.notes)) {
       continue;
     }
     input.bytes += 'f';
@@ -155,8 +155,8 @@ CheckedInput check_obj(const std::filesystem::path& file, std::string_view bytes
     } else if (!count_other_line(scanner, keyword, input.notes)) {
       if (unknown.place.empty()) unknown = {scanner.place(), in_quotes(keyword)};
       input.notes.left_out("line that starts with no word of OBJ (" + unknown.keyword + ")",
-                         "lines that start with no word of OBJ (" + unknown.keyword + " ...)",
-                         scanner.place());
+                           "lines that start with no word of OBJ (" + unknown.keyword + " ...)",
+                           scanner.place());
     }
   }
   if (faces.empty() && !unknown.place.empty()) {

@@ -222,7 +222,7 @@ Attempt attempt(TextScanner scanner, const Header& header, const Layout& layout)
       while (scanner.next_line())
         ++n_lines;
       input.notes.left_out("line more than the counts at the top promise",
-                         "lines more than the counts at the top promise", place, n_lines);
+                           "lines more than the counts at the top promise", place, n_lines);
     }
   } catch (const UserError& error) {
     result.fault = error;

@@ -36,7 +36,8 @@ void append_raw(std::string& bytes, Number number) {
 std::size_t list_length(const Path& file, PlyBody& body, const PlyProperty& property) {
   if (!property.list_size) return 1;
   const double length = body.next(*property.list_size, "the length of " + property.name);
-  if (length < 0) refuse_file(file, body.place(), "the list " + property.name + " is shorter than 0");
+  if (length < 0)
+    refuse_file(file, body.place(), "the list " + property.name + " is shorter than 0");
   return static_cast<std::size_t>(length);
 }
 
@@ -142,7 +143,7 @@ std::string plain_header(std::size_t n_vertices, std::size_t n_faces) {
 
 CheckedInput check_ply(const std::filesystem::path& file, std::string_view bytes) {
   const Utf8Text text(bytes);
-  TextScanner scanner(file, text.view());
+  TextScanner scanner(file, text.view(), false);  // numbers may be 1.#QNAN
   const PlyHeader header = read_ply_header(scanner);
   const auto body = open_ply_body(file, text.view(), header.encoding, scanner);
 
@@ -155,8 +156,8 @@ CheckedInput check_ply(const std::filesystem::path& file, std::string_view bytes
   }
   if (header.n_needed == header.elements.size()) body->end(input.notes);
   count_other_elements(header, input.notes);
-  input.bytes = plain_header(input.exact_positions.size(), input.n_faces) + plain.vertices +
-                plain.faces;
+  input.bytes =
+      plain_header(input.exact_positions.size(), input.n_faces) + plain.vertices + plain.faces;
   return input;
 }
 

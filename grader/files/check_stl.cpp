@@ -33,9 +33,9 @@ bool admit_facet(const std::filesystem::path& file, const std::string& place, st
   for (const Corner& corner : corners) {
     for (const float coordinate : corner) {
       if (!std::isfinite(coordinate)) {
-        refuse_file(file, place,
-                    "face f" + std::to_string(face) +
-                        " has a coordinate that is not a finite number");
+        refuse_file(
+            file, place,
+            "face f" + std::to_string(face) + " has a coordinate that is not a finite number");
       }
     }
   }
@@ -44,7 +44,7 @@ bool admit_facet(const std::filesystem::path& file, const std::string& place, st
     return true;
   }
   notes.left_out("face without area (two corners at one point)",
-               "faces without area (two corners at one point)", place);
+                 "faces without area (two corners at one point)", place);
   return false;
 }
 
@@ -78,7 +78,7 @@ CheckedInput check_binary(const std::filesystem::path& file, std::string_view by
   const std::size_t end = kHeaderBytes + kFacetBytes * n_promised;
   const std::string promise = std::to_string(n_promised) + " faces that byte 80 promises";
   input.notes.left_out("byte behind the " + promise, "bytes behind the " + promise,
-                     "byte " + std::to_string(end), bytes.size() - end);
+                       "byte " + std::to_string(end), bytes.size() - end);
   return input;
 }
 
@@ -142,7 +142,7 @@ class FacetReader {
       } else {
         if (word != "color") {
           input_.notes.left_out("line that is not of STL", "lines that are not of STL",
-                              scanner_.place());
+                                scanner_.place());
         }
         skip_line();
       }

@@ -25,8 +25,8 @@ struct CheckedInput {
   ReadingNotes notes;
 };
 
-/// Wavefront OBJ: keeps the lines `v` and `f`, vertex numbers only, and the older `fo`. Lines of
-/// colours, groups and the like are dropped; lines, points and free-form curves are counted.
+/// Wavefront OBJ: keeps the lines `v` and `f`, vertex numbers only, and the older `fo`. Lines
+/// of colours, groups and the like are dropped; lines, points and free-form curves are counted.
 CheckedInput check_obj(const std::filesystem::path& file, std::string_view bytes);
 
 /// Geomview's Object File Format in text: [ST][C][N][4][n]OFF, or no such word. Words may stand

@@ -180,8 +180,7 @@ class GeometryReader {
     const std::vector<Corners> lists = number_lists(primitive, n_inputs);
     if (lists.empty()) return;
     const Input vertices = find_input(primitive, "VERTEX", "vertices");
-    const Points points =
-        points_of(find_input(vertices.source, "POSITION", "source").source);
+    const Points points = points_of(find_input(vertices.source, "POSITION", "source").source);
     for (const Corners& list : lists) {
       Corners corners;
       for (std::size_t k = vertices.offset; k < list.size(); k += n_inputs)

@@ -38,14 +38,17 @@ std::optional<std::vector<unsigned char>> decode_base64(std::string_view text) {
 
 }  // namespace
 
-bool is_data_uri(std::string_view uri) { return uri.starts_with("data:"); }
+bool is_data_uri(std::string_view uri) {
+  return uri.starts_with("data:");
+}
 
 std::string percent_decoded(std::string_view text) {
   std::string decoded;
   for (std::size_t k = 0; k < text.size(); ++k) {
     unsigned code = 0;
     const std::string_view digits = text.substr(std::min(k + 1, text.size()), 2);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
     if (text[k] == '%' && digits.size() == 2 && error == std::errc() &&
         end == digits.data() + digits.size()) {
       decoded += static_cast<char>(code);

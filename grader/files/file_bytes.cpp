@@ -56,9 +56,8 @@ std::string in_quotes(std::string_view words) {
   return "'" + text + (words.size() > kLongest ? "...'" : "'");
 }
 
-void check_corner(const std::filesystem::path& file, const std::string& place,
-                  std::size_t face, std::uint32_t vertex, std::size_t n_vertices,
-                  unsigned first_number) {
+void check_corner(const std::filesystem::path& file, const std::string& place, std::size_t face,
+                  std::uint32_t vertex, std::size_t n_vertices, unsigned first_number) {
   if (vertex < n_vertices) return;
   refuse_file(file, place,
               "face f" + std::to_string(face) + " asks for vertex " +

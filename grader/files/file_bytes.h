@@ -26,9 +26,8 @@ std::string in_quotes(std::string_view words);
 
 /// Throws UserError unless `vertex`, counted from 0, is below `n_vertices`. `first_number` is
 /// the number that the format gives to its first vertex.
-void check_corner(const std::filesystem::path& file, const std::string& place,
-                  std::size_t face, std::uint32_t vertex, std::size_t n_vertices,
-                  unsigned first_number);
+void check_corner(const std::filesystem::path& file, const std::string& place, std::size_t face,
+                  std::uint32_t vertex, std::size_t n_vertices, unsigned first_number);
 
 /// Throws UserError unless the polygon has at least 3 corners, all different and all below
 /// `n_vertices`.

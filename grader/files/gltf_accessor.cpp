@@ -126,9 +126,9 @@ std::vector<Point3> GltfAccessors::positions(int index, const std::string& place
         std::isfinite(points[v][2])) {
       continue;
     }
-    refuse_file(file_, place,
-                "vertex v" + std::to_string(v) +
-                    " has a coordinate that is not a finite number");
+    refuse_file(
+        file_, place,
+        "vertex v" + std::to_string(v) + " has a coordinate that is not a finite number");
   }
   return points;
 }
@@ -147,7 +147,8 @@ std::vector<double> GltfAccessors::numbers(int index, std::size_t components,
                                            const std::string& place) const {
   const auto& accessor = checked_accessor(index, place);
   if (components_of(accessor.type) != components) {
-    refuse_file(file_, place, what + " must be " + std::to_string(components) + " numbers each");
+    refuse_file(file_, place,
+                what + " must be " + std::to_string(components) + " numbers each");
   }
   std::vector<double> values = elements(accessor, place);
   if (accessor.normalized) normalize(values, accessor.componentType);
@@ -191,7 +192,8 @@ std::vector<double> GltfAccessors::stored(int view, std::size_t offset, std::siz
                                           const std::string& place) const {
   const std::size_t size = component_size(component);
   if (size == 0 || components == 0) {
-    refuse_file(file_, place, "its accessor has a type of numbers that glTF does not have here");
+    refuse_file(file_, place,
+                "its accessor has a type of numbers that glTF does not have here");
   }
   std::size_t stride = 0;
   const unsigned char* data =
@@ -212,10 +214,9 @@ std::vector<double> GltfAccessors::elements(const tinygltf::Accessor& accessor,
     refuse_file(file_, place, "has a million elements and no data");
   }
   std::vector<double> values =
-      accessor.bufferView < 0
-          ? std::vector<double>(accessor.count * components)
-          : stored(accessor.bufferView, accessor.byteOffset, accessor.count,
-                   accessor.componentType, components, place);
+      accessor.bufferView < 0 ? std::vector<double>(accessor.count * components)
+                              : stored(accessor.bufferView, accessor.byteOffset, accessor.count,
+                                       accessor.componentType, components, place);
   if (accessor.sparse.isSparse) replace_sparse(accessor, components, values, place);
   return values;
 }
@@ -235,8 +236,8 @@ void GltfAccessors::replace_sparse(const tinygltf::Accessor& accessor, std::size
       stored(sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
              count, sparse.indices.componentType, 1, place);
   const std::vector<double> what =
-      stored(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count,
-             accessor.componentType, components, place);
+      stored(sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
+             count, accessor.componentType, components, place);
   for (std::size_t k = 0; k < count; ++k) {
     const auto element = static_cast<std::size_t>(where[k]);
     if (element >= accessor.count) {

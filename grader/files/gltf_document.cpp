@@ -135,12 +135,14 @@ GltfBytes read_neighbour(const Path& file, const std::string& place, const std::
   std::error_code failed;
   const Path folder = std::filesystem::weakly_canonical(
       file.parent_path().empty() ? "." : file.parent_path(), failed);
-  const Path wanted = std::filesystem::weakly_canonical(folder / Path(percent_decoded(uri)), failed);
+  const Path wanted =
+      std::filesystem::weakly_canonical(folder / Path(percent_decoded(uri)), failed);
   const Path relative = wanted.lexically_relative(folder);
   if (failed || relative.empty() || *relative.begin() == "..") {
-    refuse_file(file, place,
-                "its file " + in_quotes(uri) +
-                    " does not lie in the folder of the glTF file, or below; others are not read");
+    refuse_file(
+        file, place,
+        "its file " + in_quotes(uri) +
+            " does not lie in the folder of the glTF file, or below; others are not read");
   }
   const std::string bytes = read_bytes(wanted);
   return {bytes.begin(), bytes.end()};

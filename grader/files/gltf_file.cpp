@@ -27,7 +27,10 @@ struct Visit {
 class SceneReader {
  public:
   SceneReader(const Path& file, const tinygltf::Model& model)
-      : file_(file), model_(model), meshes_(file, model), is_shown_(model.meshes.size(), false) {}
+      : file_(file),
+        model_(model),
+        meshes_(file, model),
+        is_shown_(model.meshes.size(), false) {}
 
   LoadedMesh read() {
     const std::vector<int> roots = scene_roots();
@@ -105,7 +108,8 @@ class SceneReader {
   void add_all_meshes() {
     for (std::size_t m = 0; m < model_.meshes.size(); ++m) {
       const std::string place = gltf_place("meshes", m);
-      append_part(whole_, meshes_.read(static_cast<int>(m), {}, place).in_node, {}, file_, place);
+      append_part(whole_, meshes_.read(static_cast<int>(m), {}, place).in_node, {}, file_,
+                  place);
       is_shown_[m] = true;
     }
   }

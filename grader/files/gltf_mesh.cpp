@@ -80,7 +80,8 @@ void GltfMeshReader::read_primitive(const tinygltf::Primitive& primitive,
     }
   }
   const bool has_skin = pose.joints != nullptr && is_skinned(primitive);
-  if (has_skin && apply_skin(file_, primitive, accessors_, *pose.joints, part.positions, place)) {
+  if (has_skin &&
+      apply_skin(file_, primitive, accessors_, *pose.joints, part.positions, place)) {
     for (auto& triangle : part.polygons)
       std::swap(triangle[1], triangle[2]);
   }
@@ -100,8 +101,8 @@ std::vector<std::vector<std::uint32_t>> GltfMeshReader::triangles(
   }
   if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP) return cut_strips(list);
   if (primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) return cut_fan(list);
-  notes.left_out("corner behind the last whole triangle", "corners behind the last whole triangle",
-                 place, list.size() % 3);
+  notes.left_out("corner behind the last whole triangle",
+                 "corners behind the last whole triangle", place, list.size() % 3);
   std::vector<std::vector<std::uint32_t>> triangles;
   for (std::size_t k = 0; k + 2 < list.size(); k += 3)
     triangles.push_back({list[k], list[k + 1], list[k + 2]});

@@ -19,7 +19,7 @@ namespace meshgrade {
 
 /// How a node wants a mesh.
 struct GltfPose {
-  std::vector<double> morph_weights;  // of the node; empty: those of the mesh
+  std::vector<double> morph_weights;               // of the node; empty: those of the mesh
   const std::vector<Transform>* joints = nullptr;  // of its skin, if it has one
 };
 
@@ -60,8 +60,8 @@ class GltfMeshReader {
   const tinygltf::Model& model_;
   GltfAccessors accessors_;
   ReadingNotes notes_;
-  std::set<int> known_;                          // meshes that have been read
-  std::map<int, std::vector<bool>> is_used_;     // vertices, by accessor of positions
+  std::set<int> known_;                       // meshes that have been read
+  std::map<int, std::vector<bool>> is_used_;  // vertices, by accessor of positions
 };
 
 }  // namespace meshgrade

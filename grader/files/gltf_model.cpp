@@ -22,19 +22,30 @@ constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
 /// What a mesh is made of. tinygltf would follow the rest, images for example, unchecked.
 constexpr std::array<std::string_view, 10> kKept = {
-    "asset",     "scene",       "scenes",         "nodes",            "meshes",
-    "accessors", "bufferViews", "extensionsUsed", "extensionsRequired", "skins"};
+    "asset",       "scene",          "scenes",
+    "nodes",       "meshes",         "accessors",
+    "bufferViews", "extensionsUsed", "extensionsRequired",
+    "skins"};
 
 /// Extensions that are read, or that leave the shape alone.
-constexpr std::array<std::string_view, 16> kFineExtensions = {
-    "KHR_mesh_quantization",   "EXT_meshopt_compression", "KHR_meshopt_compression",
-    "EXT_mesh_gpu_instancing", "KHR_animation_pointer",   "KHR_techniques_webgl",
-    "KHR_xmp",                 "KHR_xmp_json_ld",         "EXT_mesh_features",
-    "EXT_structural_metadata", "EXT_instance_features",   "CESIUM_primitive_outline",
-    "FB_geometry_metadata",    "MSFT_texture_dds",        "MSFT_lod",
-    "VRM"};
+constexpr std::array<std::string_view, 16> kFineExtensions = {"KHR_mesh_quantization",
+                                                              "EXT_meshopt_compression",
+                                                              "KHR_meshopt_compression",
+                                                              "EXT_mesh_gpu_instancing",
+                                                              "KHR_animation_pointer",
+                                                              "KHR_techniques_webgl",
+                                                              "KHR_xmp",
+                                                              "KHR_xmp_json_ld",
+                                                              "EXT_mesh_features",
+                                                              "EXT_structural_metadata",
+                                                              "EXT_instance_features",
+                                                              "CESIUM_primitive_outline",
+                                                              "FB_geometry_metadata",
+                                                              "MSFT_texture_dds",
+                                                              "MSFT_lod",
+                                                              "VRM"};
 constexpr std::array<std::string_view, 11> kFineFamilies = {
-    "KHR_materials_", "KHR_texture_",   "KHR_lights_",     "EXT_texture_",
+    "KHR_materials_", "KHR_texture_",   "KHR_lights_",      "EXT_texture_",
     "EXT_lights_",    "EXT_materials_", "ADOBE_materials_", "MSFT_packing_",
     "VRMC_",          "KHR_audio",      "MSFT_audio_"};
 
@@ -86,10 +97,9 @@ void for_each_primitive(const Path& file, Json& json, Visit visit) {
 /// tinygltf drops primitives whose attributes it cannot read.
 void check_attributes(const Path& file, const Json& primitive, const std::string& place) {
   const auto attributes = primitive.find("attributes");
-  const bool fits =
-      attributes != primitive.end() && attributes->is_object() &&
-      std::all_of(attributes->begin(), attributes->end(),
-                  [](const Json& value) { return value.is_number_integer(); });
+  const bool fits = attributes != primitive.end() && attributes->is_object() &&
+                    std::all_of(attributes->begin(), attributes->end(),
+                                [](const Json& value) { return value.is_number_integer(); });
   if (!fits) refuse_file(file, place, "has no attributes that are accessors");
 }
 
@@ -176,7 +186,8 @@ void store_zero_indices(const Path& file, GltfDocument& document) {
       refuse_file(file, place, "has a million elements and no data");
     }
     constexpr std::size_t kLargestIndex = 4;
-    views.push_back({{"buffer", document.buffers.size()}, {"byteLength", kLargestIndex * count}});
+    views.push_back(
+        {{"buffer", document.buffers.size()}, {"byteLength", kLargestIndex * count}});
     accessors[a]["bufferView"] = views.size() - 1;
     document.buffers.emplace_back(kLargestIndex * count);
   });

@@ -43,11 +43,13 @@ Transform global_transform(const Path& file, const tinygltf::Model& model,
   std::size_t depth = 0;
   for (int at = node; at != kNoParent; at = parents[static_cast<std::size_t>(at)]) {
     if (at < 0 || static_cast<std::size_t>(at) >= model.nodes.size()) {
-      refuse_file(file, place, "its joint is node " + std::to_string(at) + ", which is not there");
+      refuse_file(file, place,
+                  "its joint is node " + std::to_string(at) + ", which is not there");
     }
     if (++depth > model.nodes.size()) refuse_file(file, place, "its joints hang in a circle");
     const auto index = static_cast<std::size_t>(at);
-    transform = node_transform(file, model.nodes[index], gltf_place("nodes", index)) * transform;
+    transform =
+        node_transform(file, model.nodes[index], gltf_place("nodes", index)) * transform;
   }
   return transform;
 }
@@ -79,8 +81,9 @@ Influences read_influences(const Path& file, const tinygltf::Primitive& primitiv
     joints.push_back(accessors.numbers(joint->second, 4, "JOINTS_" + set, place));
     weights.push_back(accessors.numbers(weight->second, 4, "WEIGHTS_" + set, place));
     if (joints.back().size() != 4 * n_vertices || weights.back().size() != 4 * n_vertices) {
-      refuse_file(file, place, "JOINTS_" + set + " or WEIGHTS_" + set +
-                                   " has another number of vertices than POSITION");
+      refuse_file(file, place,
+                  "JOINTS_" + set + " or WEIGHTS_" + set +
+                      " has another number of vertices than POSITION");
     }
   }
   Influences influences{4 * joints.size(), {}, {}};
@@ -151,7 +154,8 @@ std::vector<Transform> joint_transforms(const Path& file, const tinygltf::Model&
   const std::string place = gltf_place("skins", static_cast<std::size_t>(skin_index));
   std::vector<double> inverse_binds;
   if (skin.inverseBindMatrices >= 0) {
-    inverse_binds = accessors.numbers(skin.inverseBindMatrices, 16, "inverse bind matrices", place);
+    inverse_binds =
+        accessors.numbers(skin.inverseBindMatrices, 16, "inverse bind matrices", place);
     if (inverse_binds.size() < 16 * skin.joints.size()) {
       refuse_file(file, place, "has fewer inverse bind matrices than joints");
     }
@@ -169,7 +173,8 @@ std::vector<Transform> joint_transforms(const Path& file, const tinygltf::Model&
 }
 
 bool is_skinned(const tinygltf::Primitive& primitive) {
-  return primitive.attributes.contains("JOINTS_0") && primitive.attributes.contains("WEIGHTS_0");
+  return primitive.attributes.contains("JOINTS_0") &&
+         primitive.attributes.contains("WEIGHTS_0");
 }
 
 bool apply_skin(const Path& file, const tinygltf::Primitive& primitive,

@@ -87,7 +87,8 @@ const std::array<Format, 7> kFormats = {{
      kAnyPolygon},
     {".off", read_off, [](const PolygonMesh& mesh) { return openmesh_write("off", mesh); },
      kAnyPolygon},
-    {".ply", read_ply, [](const PolygonMesh& mesh) { return openmesh_write("ply", mesh); }, 255},
+    {".ply", read_ply, [](const PolygonMesh& mesh) { return openmesh_write("ply", mesh); },
+     255},
     {".stl", read_stl, [](const PolygonMesh& mesh) { return openmesh_write("stl", mesh); }, 3},
     {".gltf", read_gltf, [](const PolygonMesh& mesh) { return format_gltf(mesh, false); }, 3},
     {".glb", read_gltf, [](const PolygonMesh& mesh) { return format_gltf(mesh, true); }, 3},
@@ -154,7 +155,8 @@ void drop_unused_vertices(LoadedMesh& loaded) {
   }
 }
 
-[[noreturn]] void refuse_without_faces(const Path& file, const std::vector<std::string>& notes) {
+[[noreturn]] void refuse_without_faces(const Path& file,
+                                       const std::vector<std::string>& notes) {
   std::string what = "holds no faces; export the surface, not points or lines";
   for (std::size_t k = 0; k < notes.size(); ++k)
     what += (k == 0 ? " (" : "; ") + notes[k] + (k + 1 == notes.size() ? ")" : "");

@@ -31,8 +31,8 @@ class TextBody : public PlyBody {
   }
   void end_element(ReadingNotes& notes) override {
     notes.left_out("number behind the properties of its line's element",
-                 "numbers behind the properties of their lines' elements", place(),
-                 scanner_.count_words());
+                   "numbers behind the properties of their lines' elements", place(),
+                   scanner_.count_words());
   }
   void end(ReadingNotes& notes) override {
     while (scanner_.next_line()) {
@@ -65,7 +65,7 @@ class BinaryBody : public PlyBody {
     const std::string_view rest = bytes_.substr(at_);
     if (rest.size() <= 2 && rest.find_first_not_of("\r\n") == rest.npos) return;
     notes.left_out("byte behind the last element", "bytes behind the last element",
-                 "byte " + std::to_string(at_), rest.size());
+                   "byte " + std::to_string(at_), rest.size());
   }
   std::string place() const override { return "byte " + std::to_string(element_at_); }
 
@@ -109,8 +109,8 @@ class BinaryBody : public PlyBody {
 /// Where lines end with CR alone, an LF behind the header is the first of the data.
 std::size_t begin_of_data(std::string_view bytes, std::size_t behind_header) {
   const std::size_t first_end = bytes.find_first_of("\r\n");
-  const bool is_cr_alone = bytes.substr(first_end, 1) == "\r" &&
-                           bytes.substr(first_end, 2) != "\r\n";
+  const bool is_cr_alone =
+      bytes.substr(first_end, 1) == "\r" && bytes.substr(first_end, 2) != "\r\n";
   return is_cr_alone && bytes[behind_header - 1] == '\n' ? behind_header - 1 : behind_header;
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "grader/files/reading_notes.h"
 #include "grader/files/ply_header.h"
+#include "grader/files/reading_notes.h"
 #include "grader/files/text_scanner.h"
 
 namespace meshgrade {

@@ -26,8 +26,8 @@ std::string place_in_words(const std::string& place) {
   return is_line ? "line " + place : place;
 }
 
-void ReadingNotes::left_out(const std::string& one, const std::string& many, const std::string& place,
-                  std::size_t count) {
+void ReadingNotes::left_out(const std::string& one, const std::string& many,
+                            const std::string& place, std::size_t count) {
   if (count == 0) return;
   auto kind = std::find_if(kinds_.begin(), kinds_.end(),
                            [&](const Kind& known) { return known.one == one; });
@@ -72,11 +72,11 @@ bool admit_polygon(const std::filesystem::path& file, const std::string& place,
   merge_neighbours(corners);
   if (corners.size() < 3 || has_twice(corners)) {
     notes.left_out("face without area (a corner twice)", "faces without area (a corner twice)",
-                 place);
+                   place);
     return false;
   }
-  notes.left_out("corner that repeats the one before it", "corners that repeat the one before them",
-               place, n_named - corners.size());
+  notes.left_out("corner that repeats the one before it",
+                 "corners that repeat the one before them", place, n_named - corners.size());
   return true;
 }
 

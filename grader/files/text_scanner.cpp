@@ -49,7 +49,7 @@ bool TextScanner::next_line() {
   while (!text_.empty()) {
     ++line_;
     rest_of_line_ = take_line(text_);
-    rest_of_line_ = rest_of_line_.substr(0, rest_of_line_.find('#'));
+    if (has_comments_) rest_of_line_ = rest_of_line_.substr(0, rest_of_line_.find('#'));
     if (has_word()) return true;
   }
   return false;

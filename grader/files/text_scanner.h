@@ -11,12 +11,12 @@
 namespace meshgrade {
 
 /// Walks over a text file line by line and word by word, and knows the line for messages.
-/// Words are separated by blanks; '#' starts a comment. A line ends with LF, CR LF or, as on old
-/// Macs, CR. Every fault is a UserError with "<file>:<line>:" in front.
+/// Words are separated by blanks; '#' starts a comment in most formats. A line ends with LF, CR
+/// LF or, as on old Macs, CR. Every fault is a UserError with "<file>:<line>:" in front.
 class TextScanner {
  public:
-  TextScanner(std::filesystem::path file, std::string_view text)
-      : file_(std::move(file)), text_(text), size_(text.size()) {}
+  TextScanner(std::filesystem::path file, std::string_view text, bool has_comments = true)
+      : file_(std::move(file)), text_(text), size_(text.size()), has_comments_(has_comments) {}
 
   /// Goes to the next line that holds a word. False at the end of the text.
   bool next_line();
@@ -54,6 +54,7 @@ class TextScanner {
   std::string_view rest_of_line_;
   std::string_view last_word_;
   std::size_t line_ = 0;
+  bool has_comments_;
 };
 
 /// A finite number that single precision can hold, from the whole of `word`, in the locale of

@@ -19,8 +19,8 @@ Triangles cut_strips(const std::vector<std::uint32_t>& strips) {
       begin = k + 1;
     } else if (k >= begin + 2) {
       const bool is_turned = (k - begin) % 2 == 1;
-      add_triangle(triangles, strips[is_turned ? k - 1 : k - 2], strips[is_turned ? k - 2 : k - 1],
-                   strips[k]);
+      add_triangle(triangles, strips[is_turned ? k - 1 : k - 2],
+                   strips[is_turned ? k - 2 : k - 1], strips[k]);
     }
   }
   return triangles;

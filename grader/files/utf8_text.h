@@ -5,8 +5,8 @@
 
 namespace meshgrade {
 
-/// A text file as UTF-8 without a byte order mark, whichever of UTF-8 and UTF-16 its mark tells.
-/// Without a mark the bytes stay as they are. Broken pairs of UTF-16 become '?'.
+/// A text file as UTF-8 without a byte order mark, whichever of UTF-8 and UTF-16 its mark
+/// tells. Without a mark the bytes stay as they are. Broken pairs of UTF-16 become '?'.
 class Utf8Text {
  public:
   /// `bytes` must live as long as this.
