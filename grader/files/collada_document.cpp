@@ -65,8 +65,8 @@ ColladaDocument::ColladaDocument(const std::filesystem::path& file, std::string_
   if (!root_) refuse_file(file_, "1", "has no element COLLADA; is it another format?");
   if (const std::string version = root_.attribute("version").value();
       version.starts_with("1.3")) {
-    refuse(root_,
-           "is COLLADA " + version + ", which is not read; export as COLLADA 1.4 or 1.5");
+    refuse(root_, "is COLLADA " + in_quotes(version) +
+                      ", which is not read; export as COLLADA 1.4 or 1.5");
   }
   collect_ids();
 }

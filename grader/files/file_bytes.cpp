@@ -47,13 +47,12 @@ std::string lower_extension(const std::filesystem::path& file) {
   return extension;
 }
 
-std::string in_quotes(std::string_view words) {
-  constexpr std::size_t kLongest = 24;
-  std::string text(words.substr(0, kLongest));
+std::string in_quotes(std::string_view words, std::size_t longest) {
+  std::string text(words.substr(0, longest));
   for (char& c : text) {
     if (c < ' ' || c > '~') c = '?';
   }
-  return "'" + text + (words.size() > kLongest ? "...'" : "'");
+  return "'" + text + (words.size() > longest ? "...'" : "'");
 }
 
 void check_corner(const std::filesystem::path& file, const std::string& place, std::size_t face,

@@ -20,9 +20,9 @@ std::string read_bytes(const std::filesystem::path& file);
 /// The extension in lower case, with its dot: ".obj".
 std::string lower_extension(const std::filesystem::path& file);
 
-/// Words from a file as they may stand in a one-line message: quoted, at most 24 characters,
-/// anything unprintable replaced by '?'.
-std::string in_quotes(std::string_view words);
+/// Words from a file as they may stand in a one-line message: quoted, at most `longest`
+/// characters, anything unprintable replaced by '?'.
+std::string in_quotes(std::string_view words, std::size_t longest = 24);
 
 /// Throws UserError unless `vertex`, counted from 0, is below `n_vertices`. `first_number` is
 /// the number that the format gives to its first vertex.

@@ -7,6 +7,7 @@
 #include <set>
 #include <string_view>
 
+#include "grader/base/text.h"
 #include "grader/files/file_bytes.h"
 #include "grader/files/gltf_document.h"
 #include "grader/files/meshopt_views.h"
@@ -65,8 +66,8 @@ void check_extensions(const Path& file, Json& json) {
                   "export without compression");
     }
     refuse_file(file, "extensionsRequired",
-                "needs the extension '" + name.substr(0, 60) +
-                    "', of which it is not known whether it changes the shape; export without");
+                "needs the extension " + in_quotes(name, 60) +
+                    ", of which it is not known whether it changes the shape; export without");
   }
 }
 
@@ -214,7 +215,7 @@ tinygltf::Model parse_plain(const Path& file, const Json& json) {
   if (ok) return model;
   constexpr std::size_t kLongestError = 300;
   error = error.substr(0, std::min(error.find('\n'), kLongestError));
-  refuse_file(file, "", "is not a valid glTF file: " + error);
+  refuse_file(file, "", "is not a valid glTF file: " + printable(error));
 }
 
 }  // namespace

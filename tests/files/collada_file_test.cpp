@@ -15,14 +15,16 @@ const std::string kTriangles = "<p>0 2 1 0 1 3 1 2 3 2 0 3</p>";
 
 /// The sources of a mesh with the tetrahedron's points, then whatever primitives.
 std::string mesh_content(const std::string& id, const std::string& primitives) {
-  return "<source id='" + id + "-p'><float_array count='12'>0 0 0 1 0 0 0 1 0 0 0 1"
+  return "<source id='" + id +
+         "-p'><float_array count='12'>0 0 0 1 0 0 0 1 0 0 0 1"
          "</float_array><technique_common><accessor count='4' stride='3'>"
          "<param name='X'/><param name='Y'/><param name='Z'/></accessor></technique_common>"
-         "</source><vertices id='" + id + "-v'><input semantic='POSITION' source='#" + id +
-         "-p'/></vertices>" + primitives;
+         "</source><vertices id='" +
+         id + "-v'><input semantic='POSITION' source='#" + id + "-p'/></vertices>" + primitives;
 }
 
-std::string primitive(const std::string& kind, const std::string& id, const std::string& lists) {
+std::string primitive(const std::string& kind, const std::string& id,
+                      const std::string& lists) {
   return "<" + kind + "><input semantic='VERTEX' source='#" + id + "-v' offset='0'/>" + lists +
          "</" + kind + ">";
 }
@@ -38,13 +40,14 @@ const std::string kShowA = "<node><instance_geometry url='#A'/></node>";
 class ColladaFile : public FilesTest {
  protected:
   std::filesystem::path file(const std::string& geometries, const std::string& nodes) const {
-    return write("a.dae", "<?xml version='1.0'?>\n<COLLADA version='1.4.1'>\n<library_geometries>\n" +
-                              geometries +
-                              "</library_geometries>\n<library_visual_scenes><visual_scene "
-                              "id='S'>" +
-                              nodes +
-                              "</visual_scene></library_visual_scenes>\n<scene>"
-                              "<instance_visual_scene url='#S'/></scene></COLLADA>");
+    return write("a.dae",
+                 "<?xml version='1.0'?>\n<COLLADA version='1.4.1'>\n<library_geometries>\n" +
+                     geometries +
+                     "</library_geometries>\n<library_visual_scenes><visual_scene "
+                     "id='S'>" +
+                     nodes +
+                     "</visual_scene></library_visual_scenes>\n<scene>"
+                     "<instance_visual_scene url='#S'/></scene></COLLADA>");
   }
   LoadedMesh read(const std::string& geometries, const std::string& nodes) const {
     return read_mesh(file(geometries, nodes));
@@ -52,15 +55,14 @@ class ColladaFile : public FilesTest {
 };
 
 TEST_F(ColladaFile, RotationAboutNothingIsNone) {
-  expect_tetrahedron(
-      read(geometry("A"),
-           "<node><rotate>0 0 0 0</rotate><rotate>0 0 0 90</rotate>"
-           "<instance_geometry url='#A'/></node>"));
+  expect_tetrahedron(read(geometry("A"),
+                          "<node><rotate>0 0 0 0</rotate><rotate>0 0 0 90</rotate>"
+                          "<instance_geometry url='#A'/></node>"));
 }
 
 TEST_F(ColladaFile, WhatPlacesACameraMovesNoMesh) {
-  expect_tetrahedron(
-      read(geometry("A"), "<node><lookat>0 0 5 0 0 0 0 1 0</lookat><instance_camera url='#c'/>"
+  expect_tetrahedron(read(geometry("A"),
+                          "<node><lookat>0 0 5 0 0 0 0 1 0</lookat><instance_camera url='#c'/>"
                           "</node><node><skew>45 0 1 0 1 0 0</skew></node>" +
                               kShowA));
 }
@@ -76,8 +78,9 @@ TEST_F(ColladaFile, LookAtTurnsAndMovesAMesh) {
   EXPECT_NEAR(box[1][0], 0, 1e-12);
   EXPECT_NEAR(box[1][1], 1, 1e-12);
   EXPECT_NEAR(box[1][2], 6, 1e-12);
-  EXPECT_THAT(fault_of(file(geometry("A"), "\n<node><skew>45 0 1 0 1 0 0</skew>"
-                                           "<instance_geometry url='#A'/></node>")),
+  EXPECT_THAT(fault_of(file(geometry("A"),
+                            "\n<node><skew>45 0 1 0 1 0 0</skew>"
+                            "<instance_geometry url='#A'/></node>")),
               StartsWith("a.dae:7: skew is not read"));
 }
 
@@ -89,8 +92,9 @@ TEST_F(ColladaFile, AReferenceIsLookedUpAmongElementsOfItsKind) {
   EXPECT_EQ(loaded.mesh.polygons.size(), 8U);
   EXPECT_EQ(box_of(loaded.mesh), (Box{{{0, 0, 0}, {6, 1, 1}}}));
   EXPECT_TRUE(loaded.notes.empty());
-  EXPECT_THAT(fault_of(file(geometry("A"), "\n<node id='n'><instance_geometry url='#n'/></node>")),
-              StartsWith("a.dae:7: '#n' names an element 'node' where geometry should be"));
+  EXPECT_THAT(
+      fault_of(file(geometry("A"), "\n<node id='n'><instance_geometry url='#n'/></node>")),
+      StartsWith("a.dae:7: '#n' names an element 'node' where geometry should be"));
 }
 
 TEST_F(ColladaFile, SourcesOfTheSameNameBelongToTheirOwnMesh) {
@@ -151,7 +155,8 @@ TEST_F(ColladaFile, NothingOfTheSceneGoesWithoutAWord) {
 TEST_F(ColladaFile, FacesWithoutAreaAreLeftOutWithTheirNumber) {
   expect_tetrahedron(
       read("<geometry id='A'><mesh>" +
-               mesh_content("A", primitive("triangles", "A", "<p>0 2 1 0 1 3 1 1 2 1 2 3 2 0 3</p>")) +
+               mesh_content(
+                   "A", primitive("triangles", "A", "<p>0 2 1 0 1 3 1 1 2 1 2 3 2 0 3</p>")) +
                "</mesh></geometry>",
            kShowA),
       {"left out 1 face without area (a corner twice), at line 4"});
@@ -178,14 +183,14 @@ TEST_F(ColladaFile, PositionsMayLieInTwoListsAndInAnyOrderOfAxes) {
 TEST_F(ColladaFile, AFileWithoutASceneShowsItsFirst) {
   const auto nodes = "<node><translate>5 0 0</translate><instance_geometry url='#A'/></node>";
   const std::string text = "<COLLADA><library_geometries>" + geometry("A") +
-                           "</library_geometries><library_visual_scenes><visual_scene>" + nodes +
-                           "</visual_scene></library_visual_scenes></COLLADA>";
+                           "</library_geometries><library_visual_scenes><visual_scene>" +
+                           nodes + "</visual_scene></library_visual_scenes></COLLADA>";
   EXPECT_EQ(box_of(read_mesh(write("a.dae", text)).mesh), (Box{{{5, 0, 0}, {6, 1, 1}}}));
 }
 
 TEST_F(ColladaFile, WhatIsNotReadIsNamed) {
   EXPECT_THAT(fault_of(write("a.dae", "<COLLADA version='1.3.1'><library/></COLLADA>")),
-              HasSubstr("is COLLADA 1.3.1, which is not read"));
+              HasSubstr("is COLLADA '1.3.1', which is not read"));
   EXPECT_THAT(fault_of(file(geometry("A"), "<node><instance_controller url='#c'/></node>")),
               HasSubstr("skins and morphs of COLLADA are not read"));
   std::string holes = geometry("A");

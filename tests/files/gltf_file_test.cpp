@@ -54,7 +54,8 @@ constexpr int kFloat = 5126;
 
 class GltfFile : public FilesTest {
  protected:
-  /// The tetrahedron as mesh 0 of node 0 of scene 0, its points as accessor 0, its corners as 1.
+  /// The tetrahedron as mesh 0 of node 0 of scene 0, its points as accessor 0, its corners
+  /// as 1.
   GltfFile() {
     file = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
       "nodes": [{"mesh": 0}],
@@ -93,13 +94,15 @@ TEST_F(GltfFile, BuffersMayBeLongerThanTheySayAndHaveParameters) {
   Json& buffer = file["buffers"][1];
   const std::string data = base64(packed<std::uint16_t>(kCorners) + "more");
   for (const std::string header :
-       {"data:application/octet-stream;base64,", "data:application/octet-stream;charset=utf-8;base64,",
-        "data:;base64,", "data:application/gltf-buffer;base64,", "data:image/png;base64,"}) {
+       {"data:application/octet-stream;base64,",
+        "data:application/octet-stream;charset=utf-8;base64,", "data:;base64,",
+        "data:application/gltf-buffer;base64,", "data:image/png;base64,"}) {
     buffer["uri"] = header + data;
     expect_tetrahedron(read());
   }
-  buffer["uri"] = "data:application/octet-stream,%00%00%02%00%01%00%00%00%01%00%03%00"
-                  "%01%00%02%00%03%00%02%00%00%00%03%00";
+  buffer["uri"] =
+      "data:application/octet-stream,%00%00%02%00%01%00%00%00%01%00%03%00"
+      "%01%00%02%00%03%00%02%00%00%00%03%00";
   expect_tetrahedron(read());
   buffer["uri"] = "data:;base64," + base64("short");
   EXPECT_EQ(fault(), "a.gltf:buffers[1]: promises 24 bytes and holds 5; it is cut off");
@@ -114,7 +117,8 @@ TEST_F(GltfFile, BuffersMayBeFilesBelowTheFolder) {
   EXPECT_THAT(fault(), HasSubstr("does not lie in the folder"));
 }
 
-std::string glb(const std::string& json, const std::vector<std::pair<std::string, std::string>>& chunks) {
+std::string glb(const std::string& json,
+                const std::vector<std::pair<std::string, std::string>>& chunks) {
   std::string body;
   const auto add = [&](const std::string& kind, std::string data, char filler) {
     data.resize((data.size() + 3) / 4 * 4, filler);
@@ -131,9 +135,10 @@ TEST_F(GltfFile, ChunksMayBeEmptyForeignOrLonger) {
   expect_tetrahedron(read_mesh(write("a.glb", glb(file.dump(), {{bin, ""}}))));
   expect_tetrahedron(read_mesh(write("a.glb", glb(file.dump(), {}))));
   file["buffers"][0].erase("uri");
+  expect_tetrahedron(read_mesh(write(
+      "a.glb", glb(file.dump(), {{bin, packed<float>(kPoints) + "more"}, {"MINE", "x"}}))));
   expect_tetrahedron(
-      read_mesh(write("a.glb", glb(file.dump(), {{bin, packed<float>(kPoints) + "more"}, {"MINE", "x"}}))));
-  expect_tetrahedron(read_mesh(write("named.gltf", glb(file.dump(), {{bin, packed<float>(kPoints)}}))));
+      read_mesh(write("named.gltf", glb(file.dump(), {{bin, packed<float>(kPoints)}}))));
   EXPECT_THAT(fault_of(write("a.glb", glb(file.dump(), {}))),
               StartsWith("a.glb:buffers[0]: has no uri"));
 }
@@ -175,9 +180,10 @@ TEST_F(GltfFile, SparseIndicesReplaceCorners) {
   primitive()["indices"] = add(packed<std::uint16_t>(wrong), kUnsignedShort, 12, "SCALAR");
   const auto where = add_view(packed<std::uint8_t>({2}));
   const auto what = add_view(packed<std::uint16_t>({1}));
-  file["accessors"][2]["sparse"] = {{"count", 1},
-                                    {"indices", {{"bufferView", where}, {"componentType", kUnsignedByte}}},
-                                    {"values", {{"bufferView", what}}}};
+  file["accessors"][2]["sparse"] = {
+      {"count", 1},
+      {"indices", {{"bufferView", where}, {"componentType", kUnsignedByte}}},
+      {"values", {{"bufferView", what}}}};
   expect_tetrahedron(read());
   // Without any data but the sparse ones, the rest is zeros.
   const auto all = add_view(packed<std::uint8_t>({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
@@ -199,9 +205,8 @@ TEST_F(GltfFile, MorphTargetsMoveByTheirWeights) {
   file["nodes"][0]["weights"] = {0, -1};  // a node's own weights come first
   const LoadedMesh loaded = read();
   EXPECT_EQ(box_of(loaded.mesh), (Box{{{-2, 0, 0}, {-1, 1, 1}}}));
-  EXPECT_EQ(loaded.notes, (std::vector<std::string>{
-                              "left out 1 morph target of weight 0, at "
-                              "meshes[0].primitives[0].targets[0]"}));
+  EXPECT_EQ(loaded.notes, (std::vector<std::string>{"left out 1 morph target of weight 0, at "
+                                                    "meshes[0].primitives[0].targets[0]"}));
   file["accessors"][static_cast<std::size_t>(aside)]["count"] = 3;
   EXPECT_THAT(fault(), StartsWith("a.gltf:meshes[0].primitives[0].targets[1]: has another"));
 }
@@ -214,7 +219,8 @@ TEST_F(GltfFile, SkinsFollowTheirJointsAndNotTheirNode) {
     joints.insert(joints.end(), {0, 1, 0, 0});
     weights.insert(weights.end(), {1, 0, 0, 0});
   }
-  primitive()["attributes"]["JOINTS_0"] = add(packed<std::uint8_t>(joints), kUnsignedByte, 4, "VEC4");
+  primitive()["attributes"]["JOINTS_0"] =
+      add(packed<std::uint8_t>(joints), kUnsignedByte, 4, "VEC4");
   primitive()["attributes"]["WEIGHTS_0"] = add(packed<float>(weights), kFloat, 4, "VEC4");
   file["scenes"][0]["nodes"] = {0, 1};
   file["nodes"] = Json::parse(R"([{"mesh": 0, "skin": 0, "scale": [100, 100, 100]},
@@ -231,7 +237,8 @@ TEST_F(GltfFile, SkinsFollowTheirJointsAndNotTheirNode) {
   // Weights as bytes, whose sum is not quite 1, and bound to joints that then stood elsewhere.
   for (double& weight : weights)
     weight *= 254;
-  primitive()["attributes"]["WEIGHTS_0"] = add(packed<std::uint8_t>(weights), kUnsignedByte, 4, "VEC4");
+  primitive()["attributes"]["WEIGHTS_0"] =
+      add(packed<std::uint8_t>(weights), kUnsignedByte, 4, "VEC4");
   file["accessors"].back()["normalized"] = true;
   const std::vector<double> bind = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -10, -10, 0, 1};
   std::vector<double> binds = bind;
@@ -269,7 +276,7 @@ TEST_F(GltfFile, InstancesAreAllPutIn) {
   const int t = add(packed<float>({0, 0, 0, 5, 0, 0}), kFloat, 2, "VEC3");
   const int s = add(packed<float>({1, 1, 1, 2, 2, 2}), kFloat, 2, "VEC3");
   file["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", t},
-                                                                            {"SCALE", s}};
+                                                                             {"SCALE", s}};
   const LoadedMesh loaded = read();
   EXPECT_EQ(loaded.mesh.polygons.size(), 8U);
   EXPECT_EQ(box_of(loaded.mesh), (Box{{{0, 0, 0}, {7, 2, 2}}}));
@@ -277,8 +284,9 @@ TEST_F(GltfFile, InstancesAreAllPutIn) {
 
 TEST_F(GltfFile, ExtensionsThatLeaveTheShapeAloneMayBeRequired) {
   for (const std::string name :
-       {"EXT_texture_webp", "KHR_texture_basisu", "KHR_texture_transform", "KHR_materials_unlit",
-        "KHR_materials_pbrSpecularGlossiness", "KHR_lights_punctual", "MSFT_texture_dds", "VRM"}) {
+       {"EXT_texture_webp", "KHR_texture_basisu", "KHR_texture_transform",
+        "KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness", "KHR_lights_punctual",
+        "MSFT_texture_dds", "VRM"}) {
     file["extensionsRequired"] = {name};
     expect_tetrahedron(read());
   }
@@ -304,7 +312,8 @@ TEST_F(GltfFile, DracoAndOlderVersionsAreRefusedByName) {
   std::string bytes = glb(file.dump(), {});
   bytes[4] = 1;
   EXPECT_THAT(fault_of(write("a.glb", bytes)), HasSubstr(older));
-  EXPECT_THAT(fault_of(write("a.gltf", R"({"meshes": []})")), HasSubstr("does not say its version"));
+  EXPECT_THAT(fault_of(write("a.gltf", R"({"meshes": []})")),
+              HasSubstr("does not say its version"));
 }
 
 TEST_F(GltfFile, NothingOfTheSceneGoesWithoutAWord) {
@@ -373,11 +382,12 @@ class MeshoptFile : public GltfFile {
     Json& buffer = file["buffers"][view];
     buffer.erase("uri");
     buffer["extensions"][name]["fallback"] = true;
-    file["bufferViews"][view]["extensions"][name] = {{"buffer", file["bufferViews"][raw]["buffer"]},
-                                                     {"byteLength", data.size()},
-                                                     {"byteStride", stride},
-                                                     {"count", count},
-                                                     {"mode", mode}};
+    file["bufferViews"][view]["extensions"][name] = {
+        {"buffer", file["bufferViews"][raw]["buffer"]},
+        {"byteLength", data.size()},
+        {"byteStride", stride},
+        {"count", count},
+        {"mode", mode}};
   }
   Json& extension(std::size_t view) { return *file["bufferViews"][view]["extensions"].begin(); }
 };
@@ -429,10 +439,19 @@ TEST_F(MeshoptFile, ExponentialFilterIsUndone) {
 TEST_F(MeshoptFile, HostileSizesAreRefused) {
   compress(0, "ATTRIBUTES", 4, 12, encoded_points(), "EXT_meshopt_compression");
   const Json good = file;
-  for (const auto& [name, value] : std::vector<std::pair<std::string, Json>>{
-           {"buffer", 99}, {"byteOffset", 5000}, {"byteLength", 4294967295}, {"byteLength", 3},
-           {"count", 4294967295}, {"byteStride", 0}, {"byteStride", 13}, {"byteStride", 260},
-           {"mode", "TRIANGLES"}, {"mode", 7}, {"count", "x"}, {"count", 900}}) {
+  for (const auto& [name, value] :
+       std::vector<std::pair<std::string, Json>>{{"buffer", 99},
+                                                 {"byteOffset", 5000},
+                                                 {"byteLength", 4294967295},
+                                                 {"byteLength", 3},
+                                                 {"count", 4294967295},
+                                                 {"byteStride", 0},
+                                                 {"byteStride", 13},
+                                                 {"byteStride", 260},
+                                                 {"mode", "TRIANGLES"},
+                                                 {"mode", 7},
+                                                 {"count", "x"},
+                                                 {"count", 900}}) {
     file = good;
     extension(0)[name] = value;
     EXPECT_THAT(fault(), StartsWith("a.gltf:bufferViews[0]: ")) << name << " = " << value;

@@ -21,7 +21,8 @@ class ObjFile : public FilesTest {
 TEST_F(ObjFile, LinesMayEndAsOnAnySystem) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     std::string text = "# by hand\n" + tetrahedron;
-    for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + end.size()))
+    for (std::size_t at = text.find('\n'); at != text.npos;
+         at = text.find('\n', at + end.size()))
       text.replace(at, 1, end);
     expect_tetrahedron(read(text));
     EXPECT_THAT(fault(text + "f 1 2 9" + end), StartsWith("a.obj:10: "));
@@ -37,13 +38,38 @@ TEST_F(ObjFile, ALineMayGoOnBehindABackslashAndBlanks) {
 
 TEST_F(ObjFile, WordsOfTheDescriptionThatAreNoShapeArePassedOver) {
   std::string text = tetrahedron;
-  for (const std::string word :
-       {"vt 0 0", "vn 0 0 1", "vp 0 0", "cstype bezier", "deg 3", "bmat u 1 0 0 1", "step 1 1",
-        "curv2 1 2", "parm u 0 1", "trim 0 1 1", "hole 0 1 1", "scrv 0 1 1", "sp 1", "end",
-        "con 1 0 1 1 2 0 1 1", "g a b", "s off", "mg 1 .5", "o thing", "bevel on", "c_interp on",
-        "d_interp on", "lod 3", "usemtl red", "mtllib red.mtl", "shadow_obj a.obj",
-        "trace_obj a.obj", "ctech cparm 1", "stech cparma 1 1", "usemap a", "maplib a",
-        "csh -ls"}) {
+  for (const std::string word : {"vt 0 0",
+                                 "vn 0 0 1",
+                                 "vp 0 0",
+                                 "cstype bezier",
+                                 "deg 3",
+                                 "bmat u 1 0 0 1",
+                                 "step 1 1",
+                                 "curv2 1 2",
+                                 "parm u 0 1",
+                                 "trim 0 1 1",
+                                 "hole 0 1 1",
+                                 "scrv 0 1 1",
+                                 "sp 1",
+                                 "end",
+                                 "con 1 0 1 1 2 0 1 1",
+                                 "g a b",
+                                 "s off",
+                                 "mg 1 .5",
+                                 "o thing",
+                                 "bevel on",
+                                 "c_interp on",
+                                 "d_interp on",
+                                 "lod 3",
+                                 "usemtl red",
+                                 "mtllib red.mtl",
+                                 "shadow_obj a.obj",
+                                 "trace_obj a.obj",
+                                 "ctech cparm 1",
+                                 "stech cparma 1 1",
+                                 "usemap a",
+                                 "maplib a",
+                                 "csh -ls"}) {
     text += word + "\n";
   }
   expect_tetrahedron(read(text));
@@ -55,9 +81,9 @@ TEST_F(ObjFile, OtherShapesAreCounted) {
       {"left out 2 lines, the first at line 9", "left out 3 points, the first at line 11",
        "left out 1 free-form curve, at line 12",
        "left out 2 free-form surfaces, the first at line 13"});
-  EXPECT_THAT(fault("v 0 0 0\nv 1 0 0\nl 1 2\n"),
-              AllOf(StartsWith("a.obj: holds no faces"),
-                    HasSubstr("left out 1 line, at line 3")));
+  EXPECT_THAT(
+      fault("v 0 0 0\nv 1 0 0\nl 1 2\n"),
+      AllOf(StartsWith("a.obj: holds no faces"), HasSubstr("left out 1 line, at line 3")));
 }
 
 TEST_F(ObjFile, TheOlderWordForFacesIsRead) {
@@ -69,9 +95,10 @@ TEST_F(ObjFile, UnknownWordsAreCountedUnlessNothingElseIsThere) {
   expect_tetrahedron(
       read("foo 1\n" + tetrahedron + "bar\n"),
       {"left out 2 lines that start with no word of OBJ ('foo' ...), the first at line 1"});
-  EXPECT_EQ(fault("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
-            "a.obj:1: 'OFF' starts no line of an OBJ file, and no line is a face; is it another "
-            "format?");
+  EXPECT_EQ(
+      fault("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+      "a.obj:1: 'OFF' starts no line of an OBJ file, and no line is a face; is it another "
+      "format?");
 }
 
 TEST_F(ObjFile, VerticesOfNoFaceAreLeftOutWithANote) {

@@ -22,9 +22,10 @@ class OffFile : public FilesTest {
 
 TEST_F(OffFile, CountsMayStandBehindTheKeywordOrBeGluedToIt) {
   for (const std::string header :
-       {"OFF\n4 4 6\n", "OFF 4 4 6\n", "OFF4 4 6\n", "4 4 6\n", "off\n4 4 6\n", "OFF\n4\n4\n6\n",
-        "OFF\n4 4\n", "OFF\n4 4\n6\n", "# made\nOFF # here\n\n4 4 0 # and here\n",
-        "\xEF\xBB\xBFOFF\n4 4 6\n", "  OFF\r\n4 4 6\r\n", "OFF\r4 4 6\r"}) {
+       {"OFF\n4 4 6\n", "OFF 4 4 6\n", "OFF4 4 6\n", "4 4 6\n", "off\n4 4 6\n",
+        "OFF\n4\n4\n6\n", "OFF\n4 4\n", "OFF\n4 4\n6\n",
+        "# made\nOFF # here\n\n4 4 0 # and here\n", "\xEF\xBB\xBFOFF\n4 4 6\n",
+        "  OFF\r\n4 4 6\r\n", "OFF\r4 4 6\r"}) {
     SCOPED_TRACE(header);
     expect_tetrahedron(read(header + body));
   }
@@ -63,16 +64,16 @@ std::string with_columns(const std::string& header, const std::string& columns,
 }
 
 TEST_F(OffFile, PrefixesTellTheColumnsEvenWithoutLines) {
-  for (const auto& [keyword, columns] : std::vector<std::pair<std::string, std::string>>{
-           {"STOFF", " .5 .5"},
-           {"NOFF", " 0 0 1"},
-           {"COFF", " 255 0 0 255"},
-           {"COFF", " 1 0 0"},
-           {"CNOFF", " 0 0 1 .1 .2 .3 1"},
-           {"NCOFF", " 0 0 1 9 9 9 9"},
-           {"STNOFF", " 0 0 1 0 0"},
-           {"STCNOFF", " 0 0 1 .1 .2 .3 1 0 0"},
-           {"OFF", " 7 7 7"}}) {
+  for (const auto& [keyword, columns] :
+       std::vector<std::pair<std::string, std::string>>{{"STOFF", " .5 .5"},
+                                                        {"NOFF", " 0 0 1"},
+                                                        {"COFF", " 255 0 0 255"},
+                                                        {"COFF", " 1 0 0"},
+                                                        {"CNOFF", " 0 0 1 .1 .2 .3 1"},
+                                                        {"NCOFF", " 0 0 1 9 9 9 9"},
+                                                        {"STNOFF", " 0 0 1 0 0"},
+                                                        {"STCNOFF", " 0 0 1 .1 .2 .3 1 0 0"},
+                                                        {"OFF", " 7 7 7"}}) {
     SCOPED_TRACE(keyword + columns);
     std::string text = with_columns(keyword, columns, kFaces);
     expect_tetrahedron(read(text));
@@ -125,11 +126,14 @@ TEST_F(OffFile, FaultsAreToldByTheLineAndNeverShifted) {
   // One number is missing, and one word of the next line would fit in its place.
   EXPECT_EQ(fault("OFF\n4 4 6\n0 0 0\n1 0\n0 1 0\n0 0 1\n" + std::string(kFaces)),
             "a.off:4: the line ends where a coordinate should follow");
-  EXPECT_EQ(fault("OFF\n4 4 6\n" + std::string(kVertices) + "3 0 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
-            "a.off:7: the line ends where a vertex number should follow");
-  EXPECT_EQ(fault("OFF\n4 4 6\n" + std::string(kVertices) + "3 0 2 1\n3 0 1 4\n3 1 2 3\n3 2 0 3\n"),
-            "a.off:8: face f1 asks for vertex 4, but the 4 vertices are numbered from 0");
-  EXPECT_THAT(fault("OFF\n5 4 6\n" + body), StartsWith("a.off:")) << "a face taken for a vertex";
+  EXPECT_EQ(
+      fault("OFF\n4 4 6\n" + std::string(kVertices) + "3 0 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
+      "a.off:7: the line ends where a vertex number should follow");
+  EXPECT_EQ(
+      fault("OFF\n4 4 6\n" + std::string(kVertices) + "3 0 2 1\n3 0 1 4\n3 1 2 3\n3 2 0 3\n"),
+      "a.off:8: face f1 asks for vertex 4, but the 4 vertices are numbered from 0");
+  EXPECT_THAT(fault("OFF\n5 4 6\n" + body), StartsWith("a.off:"))
+      << "a face taken for a vertex";
   EXPECT_THAT(fault("OFF\n3 4 6\n" + body), StartsWith("a.off:6: face f0 has 0 corners"));
   EXPECT_THAT(fault("OFF\n4 4 6\n" + body.substr(0, body.size() - 9)),
               HasSubstr("the file ends where face f3 should follow"));

@@ -71,23 +71,28 @@ TEST_F(PlyFile, TheHeaderSetsTheOrderOfTheElements) {
   for (const bool faces_first : {false, true}) {
     const std::string elements =
         faces_first ? kFaceElement + kVertexElement : kVertexElement + kFaceElement;
-    const std::string body = faces_first ? binary_faces() + binary_vertices()
-                                         : binary_vertices() + binary_faces();
-    expect_tetrahedron(
-        read_mesh(write("a.ply", head + elements + "end_header\n" + body)));
+    const std::string body =
+        faces_first ? binary_faces() + binary_vertices() : binary_vertices() + binary_faces();
+    expect_tetrahedron(read_mesh(write("a.ply", head + elements + "end_header\n" + body)));
   }
 }
 
 TEST_F(PlyFile, DataThatBeginWithALineFeedAreNotPartOfTheHeader) {
   // 10 is a line feed, and the lowest byte of the first index.
-  std::string header = "ply\nformat binary_little_endian 1.0\nelement face 1\n"
-                       "property int id\nproperty list uchar int vertex_indices\n" +
-                       kVertexElement + "end_header\n";
-  const std::string body = Bytes().put<std::int32_t>({10}).put<std::uint8_t>({3})
-                               .put<std::int32_t>({0, 1, 2}).get() + binary_vertices();
+  std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement face 1\n"
+      "property int id\nproperty list uchar int vertex_indices\n" +
+      kVertexElement + "end_header\n";
+  const std::string body = Bytes()
+                               .put<std::int32_t>({10})
+                               .put<std::uint8_t>({3})
+                               .put<std::int32_t>({0, 1, 2})
+                               .get() +
+                           binary_vertices();
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     std::string ended = header;
-    for (std::size_t at = ended.find('\n'); at != ended.npos; at = ended.find('\n', at + end.size()))
+    for (std::size_t at = ended.find('\n'); at != ended.npos;
+         at = ended.find('\n', at + end.size()))
       ended.replace(at, 1, end);
     EXPECT_EQ(read_mesh(write("a.ply", ended + body)).mesh.polygons.size(), 1U) << end.size();
   }
@@ -103,8 +108,9 @@ TEST_F(PlyFile, ColumnsThatNoPropertyNamesNeverShiftTheNextLine) {
   EXPECT_EQ(fault(kVertexElement + "property uchar red\n" + kFaceElement, kVertices + kFaces),
             "a.ply:11: the line ends where a number of type uchar should follow; in a PLY text "
             "each element is one line");
-  EXPECT_EQ(fault(kVertexElement + kFaceElement, kVertices + "3 0 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
-            "a.ply:14: the line ends where a vertex number should follow");
+  EXPECT_EQ(
+      fault(kVertexElement + kFaceElement, kVertices + "3 0 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
+      "a.ply:14: the line ends where a vertex number should follow");
 }
 
 TEST_F(PlyFile, StripsBecomeTriangles) {
@@ -120,10 +126,10 @@ TEST_F(PlyFile, StripsBecomeTriangles) {
 }
 
 TEST_F(PlyFile, FacesAndStripsOfOneFileAreBothRead) {
-  const LoadedMesh loaded = read(
-      kVertexElement + "element face 2\nproperty list uchar int vertex_index\n" +
-          "element tristrips 1\nproperty list int int vertex_indices\n",
-      kVertices + "3 0 2 1\n3 0 1 3\n8 1 2 3 -1 2 0 3 -1\n");
+  const LoadedMesh loaded =
+      read(kVertexElement + "element face 2\nproperty list uchar int vertex_index\n" +
+               "element tristrips 1\nproperty list int int vertex_indices\n",
+           kVertices + "3 0 2 1\n3 0 1 3\n8 1 2 3 -1 2 0 3 -1\n");
   expect_tetrahedron(loaded);
 }
 
@@ -134,8 +140,7 @@ TEST_F(PlyFile, WhatIsNoCoordinateMayBeAnything) {
   EXPECT_THAT(fault(kVertexElement + kFaceElement, "0 0 0\n1 nan 0\n0 1 0\n0 0 1\n" + kFaces),
               HasSubstr("a.ply:11: 'nan' where y of vertex v1 should be"));
   const std::string head = "ply\nformat binary_little_endian 1.0\n";
-  const std::string nan =
-      Bytes().put<float>({std::numeric_limits<double>::quiet_NaN()}).get();
+  const std::string nan = Bytes().put<float>({std::numeric_limits<double>::quiet_NaN()}).get();
   std::string vertices;
   for (std::size_t v = 0; v < 4; ++v)
     vertices += nan + binary_vertices().substr(12 * v, 12);
@@ -158,10 +163,10 @@ TEST_F(PlyFile, ListsMayStandAnywhere) {
 TEST_F(PlyFile, OtherElementsAreCountedWhereverTheyStand) {
   const std::string edges = "element edge 2\nproperty int a\nproperty int b\n";
   const std::string note = "left out 2 elements 'edge'";
-  expect_tetrahedron(read(edges + kVertexElement + kFaceElement, "0 1\n1 2\n" + kVertices + kFaces),
-                     {note});
-  expect_tetrahedron(read(kVertexElement + edges + kFaceElement, kVertices + "0 1\n1 2\n" + kFaces),
-                     {note});
+  expect_tetrahedron(
+      read(edges + kVertexElement + kFaceElement, "0 1\n1 2\n" + kVertices + kFaces), {note});
+  expect_tetrahedron(
+      read(kVertexElement + edges + kFaceElement, kVertices + "0 1\n1 2\n" + kFaces), {note});
   expect_tetrahedron(read(kVertexElement + kFaceElement + edges, kVertices + kFaces), {note});
   expect_tetrahedron(
       read(kVertexElement + kFaceElement + "element camera 1\nproperty float view_px\n",
@@ -172,8 +177,8 @@ TEST_F(PlyFile, OtherElementsAreCountedWhereverTheyStand) {
 TEST_F(PlyFile, WhatStandsBehindTheLastElementIsCounted) {
   expect_tetrahedron(read(kVertexElement + kFaceElement, kVertices + kFaces + "3 0 1 2\n"),
                      {"left out 1 line behind the last element, at line 18"});
-  const std::string head = "ply\nformat binary_little_endian 1.0\n" + kVertexElement +
-                           kFaceElement + "end_header\n";
+  const std::string head =
+      "ply\nformat binary_little_endian 1.0\n" + kVertexElement + kFaceElement + "end_header\n";
   const std::string whole = head + binary_vertices() + binary_faces();
   expect_tetrahedron(read_mesh(write("a.ply", whole + "\n")));
   expect_tetrahedron(read_mesh(write("a.ply", whole + "xyz")),

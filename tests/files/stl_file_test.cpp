@@ -77,8 +77,9 @@ TEST_F(StlFile, TextIsWordsInAnyCaseOnAnyLine) {
         "solid\n" + text_facets("\n\n") + "endsolid\n",
         replaced(replaced(text, "endloop", "end loop"), "endfacet", "end facet"),
         "solid t\n" + text_facets() + "end solid t\n",
-        "solid a\n" + text_facet(kFacets[0]) + text_facet(kFacets[1]) + "endsolid a\nsolid b\n" +
-            text_facet(kFacets[2]) + text_facet(kFacets[3]) + "endsolid b\n",
+        "solid a\n" + text_facet(kFacets[0]) + text_facet(kFacets[1]) +
+            "endsolid a\nsolid b\n" + text_facet(kFacets[2]) + text_facet(kFacets[3]) +
+            "endsolid b\n",
         "solid t\ncolor 0.7 0.7 0.7\n" + text_facets() + "endsolid t\n"}) {
     SCOPED_TRACE(variant.substr(0, 60));
     expect_tetrahedron(read(variant), {kWelded});
@@ -93,9 +94,8 @@ TEST_F(StlFile, AMissingEndIsReadAndSaid) {
 }
 
 TEST_F(StlFile, LinesThatAreNotOfTheFormatAreCounted) {
-  expect_tetrahedron(
-      read("solid t\nmade by hand\n" + text_facets() + "units mm\nendsolid\n"),
-      {"left out 2 lines that are not of STL, the first at line 2", kWelded});
+  expect_tetrahedron(read("solid t\nmade by hand\n" + text_facets() + "units mm\nendsolid\n"),
+                     {"left out 2 lines that are not of STL, the first at line 2", kWelded});
   EXPECT_THAT(fault("solid t\n" + replaced(text_facets(), "facet normal", "facte normal")),
               HasSubstr("'outer' where 'facet' or 'endsolid' should be"));
 }
@@ -111,8 +111,9 @@ TEST_F(StlFile, BinaryIsToldByItsCounts) {
                 AllOf(StartsWith("a.stl:byte 80: "), HasSubstr("promises 5 faces"),
                       HasSubstr("284 bytes hold 4")));
   }
-  EXPECT_THAT(fault(binary("", kFacets, 0)),
-              AllOf(HasSubstr("holds no faces"), HasSubstr("left out 200 bytes behind the 0 faces")));
+  EXPECT_THAT(
+      fault(binary("", kFacets, 0)),
+      AllOf(HasSubstr("holds no faces"), HasSubstr("left out 200 bytes behind the 0 faces")));
   EXPECT_THAT(fault("nothing"), HasSubstr("neither text"));
 }
 
