@@ -177,7 +177,9 @@ void read_face(TextScanner& scanner, std::size_t face, const Layout& layout,
   }
   std::vector<std::uint32_t> corners;
   for (std::uint32_t k = 0; k < n_corners; ++k) {
-    if (!layout.line_per_face) scanner.require_word("a corner of " + name);
+    if (!layout.line_per_face && !scanner.has_word()) {
+      scanner.require_line("a corner of " + name);
+    }
     corners.push_back(scanner.next_index("a vertex number"));
   }
   for (std::size_t k = 0; layout.has_face_colors && scanner.has_word(); ++k) {

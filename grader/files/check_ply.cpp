@@ -35,7 +35,7 @@ void append_raw(std::string& bytes, Number number) {
 
 std::size_t list_length(const Path& file, PlyBody& body, const PlyProperty& property) {
   if (!property.list_size) return 1;
-  const double length = body.next(*property.list_size, "the length of " + property.name);
+  const double length = body.next(*property.list_size, property);
   if (length < 0)
     refuse_file(file, body.place(), "the list " + property.name + " is shorter than 0");
   return static_cast<std::size_t>(length);
@@ -47,7 +47,7 @@ void skip_property(const Path& file, PlyBody& body, const PlyProperty& property)
 }
 
 void read_vertex(const Path& file, PlyBody& body, const PlyElement& element,
-                 const std::string& name, CheckedInput& input, PlainBody& plain) {
+                 CheckedInput& input, PlainBody& plain) {
   Point3 point{};
   for (const PlyProperty& property : element.properties) {
     const bool is_coordinate = !property.list_size && property.name.size() == 1 &&
@@ -57,7 +57,7 @@ void read_vertex(const Path& file, PlyBody& body, const PlyElement& element,
       continue;
     }
     point[static_cast<std::size_t>(property.name[0] - 'x')] =
-        body.next(property.type, property.name + " of " + name);
+        body.next(property.type, property);
   }
   for (const double coordinate : point)
     append_raw(plain.vertices, coordinate);
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> read_corners(const Path& file, PlyBody& body,
       continue;
     }
     for (std::size_t left = list_length(file, body, property); left > 0; --left) {
-      const double v = body.next(property.type, "a vertex number");
+      const double v = body.next(property.type, property);
       if (v < 0 && !(v == -1 && element.is_strips())) {
         refuse_file(file, body.place(),
                     name + " asks for vertex " + std::to_string(static_cast<std::int64_t>(v)) +
@@ -105,7 +105,7 @@ void read_element(const Path& file, PlyBody& body, const PlyHeader& header,
     body.begin_element(name);
     const std::string place = body.place();
     if (element.is_vertex()) {
-      read_vertex(file, body, element, name, input, plain);
+      read_vertex(file, body, element, input, plain);
     } else if (element.is_face()) {
       add_face(file, place, i, read_corners(file, body, element, name), header.n_vertices,
                input, plain);

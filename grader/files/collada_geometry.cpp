@@ -181,18 +181,19 @@ class GeometryReader {
     if (lists.empty()) return;
     const Input vertices = find_input(primitive, "VERTEX", "vertices");
     const Points points = points_of(find_input(vertices.source, "POSITION", "source").source);
+    const std::string place = document_.line_of(primitive);
     for (const Corners& list : lists) {
       Corners corners;
       for (std::size_t k = vertices.offset; k < list.size(); k += n_inputs)
         corners.push_back(list[k]);
       for (Corners& polygon : polygons_of(primitive, corners))
-        add_polygon(primitive, std::move(polygon), points);
+        add_polygon(place, std::move(polygon), points);
     }
   }
 
-  void add_polygon(const pugi::xml_node& primitive, Corners corners, const Points& points) {
-    if (!admit_polygon(document_.file(), document_.line_of(primitive), mesh_.polygons.size(),
-                       corners, points.count, 0, notes_)) {
+  void add_polygon(const std::string& place, Corners corners, const Points& points) {
+    if (!admit_polygon(document_.file(), place, mesh_.polygons.size(), corners, points.count, 0,
+                       notes_)) {
       return;
     }
     for (std::uint32_t& v : corners)

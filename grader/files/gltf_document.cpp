@@ -1,6 +1,7 @@
 #include "grader/files/gltf_document.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string_view>
 
@@ -111,6 +112,21 @@ Json parse_json(const Path& file, std::string_view text) {
   refuse_file(file, "", "is not a valid glTF file: " + error);
 }
 
+/// Some programs write whole numbers as 42.0.
+void make_whole(Json& json) {
+  constexpr double kLargest = 4294967296.0;
+  if (json.is_structured()) {
+    for (Json& part : json)
+      make_whole(part);
+  } else if (json.is_number_float()) {
+    const double number = json.get<double>();
+    if (std::trunc(number) == number && std::abs(number) <= kLargest) {
+      json = number < 0 ? Json(static_cast<std::int64_t>(number))
+                        : Json(static_cast<std::uint64_t>(number));
+    }
+  }
+}
+
 void check_version(const Path& file, const Json& json) {
   const auto asset = json.find("asset");
   std::string version;
@@ -214,6 +230,7 @@ GltfDocument read_gltf_document(const Path& file, const std::string& bytes) {
   }
   GltfDocument document{parse_json(file, container.json), {}};
   check_version(file, document.json);
+  make_whole(document.json);
   for (const Json& buffer : gltf_array(document.json, "buffers")) {
     const std::size_t index = document.buffers.size();
     if (!buffer.is_object()) refuse_file(file, gltf_place("buffers", index), "is no object");

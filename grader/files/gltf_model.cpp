@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 10> kKept = {
     "skins"};
 
 /// Extensions that are read, or that leave the shape alone.
-constexpr std::array<std::string_view, 16> kFineExtensions = {"KHR_mesh_quantization",
+constexpr std::array<std::string_view, 21> kFineExtensions = {"KHR_mesh_quantization",
                                                               "EXT_meshopt_compression",
                                                               "KHR_meshopt_compression",
                                                               "EXT_mesh_gpu_instancing",
@@ -44,11 +44,16 @@ constexpr std::array<std::string_view, 16> kFineExtensions = {"KHR_mesh_quantiza
                                                               "FB_geometry_metadata",
                                                               "MSFT_texture_dds",
                                                               "MSFT_lod",
-                                                              "VRM"};
-constexpr std::array<std::string_view, 11> kFineFamilies = {
-    "KHR_materials_", "KHR_texture_",   "KHR_lights_",      "EXT_texture_",
-    "EXT_lights_",    "EXT_materials_", "ADOBE_materials_", "MSFT_packing_",
-    "VRMC_",          "KHR_audio",      "MSFT_audio_"};
+                                                              "VRM",
+                                                              "KHR_implicit_shapes",
+                                                              "KHR_interactivity",
+                                                              "KHR_node_hoverability",
+                                                              "KHR_node_selectability",
+                                                              "EXT_feature_metadata"};
+constexpr std::array<std::string_view, 14> kFineFamilies = {
+    "KHR_materials_", "KHR_texture_",     "KHR_lights_",   "EXT_texture_",  "EXT_lights_",
+    "EXT_materials_", "ADOBE_materials_", "NV_materials_", "MSFT_packing_", "VRMC_",
+    "KHR_audio",      "MSFT_audio_",      "OMI_",          "KHR_physics_"};
 
 void check_extensions(const Path& file, Json& json) {
   for (const Json& entry : gltf_array(json, "extensionsRequired")) {

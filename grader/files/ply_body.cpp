@@ -19,10 +19,20 @@ class TextBody : public PlyBody {
  public:
   explicit TextBody(const TextScanner& scanner) : scanner_(scanner) {}
 
-  void begin_element(const std::string& name) override { scanner_.require_line(name); }
-  double next(const PlyScalar& type, const std::string& what) override {
-    if (type.is_float) return scanner_.next_number(what);
-    return static_cast<double>(scanner_.next_integer(what));
+  void begin_element(const std::string& name) override {
+    scanner_.require_line(name);
+    name_ = name;
+  }
+  double next(const PlyScalar& type, const PlyProperty& property) override {
+    double number = 0;
+    std::int64_t whole = 0;
+    if (type.is_float) {
+      return scanner_.try_number(number) ? number
+                                         : scanner_.next_number(property.name + " of " + name_);
+    }
+    return static_cast<double>(scanner_.try_integer(whole)
+                                   ? whole
+                                   : scanner_.next_integer(property.name + " of " + name_));
   }
   void skip(const PlyScalar& type) override {
     if (!scanner_.next_word().empty()) return;
@@ -30,6 +40,7 @@ class TextBody : public PlyBody {
                     " should follow; in a PLY text each element is one line");
   }
   void end_element(ReadingNotes& notes) override {
+    if (!scanner_.has_word()) return;
     notes.left_out("number behind the properties of its line's element",
                    "numbers behind the properties of their lines' elements", place(),
                    scanner_.count_words());
@@ -43,6 +54,7 @@ class TextBody : public PlyBody {
 
  private:
   TextScanner scanner_;
+  std::string name_;  // of the element
 };
 
 class BinaryBody : public PlyBody {
@@ -51,11 +63,15 @@ class BinaryBody : public PlyBody {
              bool is_big_endian)
       : file_(std::move(file)), bytes_(bytes), at_(begin), is_big_endian_(is_big_endian) {}
 
-  void begin_element(const std::string&) override { element_at_ = at_; }
-  double next(const PlyScalar& type, const std::string& what) override {
+  void begin_element(const std::string& name) override {
+    element_at_ = at_;
+    name_ = name;
+  }
+  double next(const PlyScalar& type, const PlyProperty& property) override {
     const double number = read(type);
     if (type.is_float && !(std::abs(number) <= std::numeric_limits<float>::max())) {
-      refuse_file(file_, place(), what + " is not a finite number up to 3.4e38");
+      refuse_file(file_, place(),
+                  property.name + " of " + name_ + " is not a finite number up to 3.4e38");
     }
     return number;
   }
@@ -103,6 +119,7 @@ class BinaryBody : public PlyBody {
   std::string_view bytes_;
   std::size_t at_;
   std::size_t element_at_ = 0;
+  std::string name_;  // of the element
   bool is_big_endian_;
 };
 

@@ -17,8 +17,8 @@ class PlyBody {
   virtual ~PlyBody() = default;
   /// Goes to the next element; `name` says in messages which it is.
   virtual void begin_element(const std::string& name) = 0;
-  /// Finite for a type of floats, else a whole number; `what` says in messages which it is.
-  virtual double next(const PlyScalar& type, const std::string& what) = 0;
+  /// Finite for a type of floats, else a whole number. It is of this property of the element.
+  virtual double next(const PlyScalar& type, const PlyProperty& property) = 0;
   /// Passes over a number of which nothing is wanted, so that it may be anything.
   virtual void skip(const PlyScalar& type) = 0;
   virtual void end_element(ReadingNotes& notes) = 0;

@@ -75,8 +75,10 @@ bool admit_polygon(const std::filesystem::path& file, const std::string& place,
                    place);
     return false;
   }
-  notes.left_out("corner that repeats the one before it",
-                 "corners that repeat the one before them", place, n_named - corners.size());
+  if (corners.size() < n_named) {
+    notes.left_out("corner that repeats the one before it",
+                   "corners that repeat the one before them", place, n_named - corners.size());
+  }
   return true;
 }
 

@@ -86,15 +86,31 @@ std::size_t TextScanner::count_words() const {
   return n_words;
 }
 
-double TextScanner::next_number(const std::string& expected) {
-  const std::string_view word = next_word();
-  double number = 0;
-  if (word.empty()) refuse("the line ends where " + expected + " should follow");
-  if (!parse_number(word, number)) {
-    refuse(in_quotes(word) + " where " + expected +
-           " should be; coordinates are finite numbers up to 3.4e38");
+bool TextScanner::try_number(double& number) {
+  const std::string_view before = rest_of_line_;
+  if (parse_number(next_word(), number)) return true;
+  rest_of_line_ = before;
+  return false;
+}
+
+bool TextScanner::try_integer(std::int64_t& number) {
+  const std::string_view before = rest_of_line_;
+  if (parse_integer(next_word(), number) &&
+      number >= std::numeric_limits<std::int32_t>::min() &&
+      number <= std::numeric_limits<std::uint32_t>::max()) {
+    return true;
   }
-  return number;
+  rest_of_line_ = before;
+  return false;
+}
+
+double TextScanner::next_number(const std::string& expected) {
+  double number = 0;
+  if (try_number(number)) return number;
+  const std::string_view word = next_word();
+  if (word.empty()) refuse("the line ends where " + expected + " should follow");
+  refuse(in_quotes(word) + " where " + expected +
+         " should be; coordinates are finite numbers up to 3.4e38");
 }
 
 Point3 TextScanner::next_point(const std::string& expected) {
@@ -105,14 +121,11 @@ Point3 TextScanner::next_point(const std::string& expected) {
 }
 
 std::int64_t TextScanner::next_integer(const std::string& expected) {
-  const std::string_view word = next_word();
   std::int64_t number = 0;
+  if (try_integer(number)) return number;
+  const std::string_view word = next_word();
   if (word.empty()) refuse("the line ends where " + expected + " should follow");
-  if (!parse_integer(word, number) || number < std::numeric_limits<std::int32_t>::min() ||
-      number > std::numeric_limits<std::uint32_t>::max()) {
-    refuse(in_quotes(word) + " where " + expected + " should be; write a whole number");
-  }
-  return number;
+  refuse(in_quotes(word) + " where " + expected + " should be; write a whole number");
 }
 
 std::uint32_t TextScanner::next_index(const std::string& expected) {

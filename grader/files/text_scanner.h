@@ -38,6 +38,10 @@ class TextScanner {
   /// A whole number from -2^31 to 2^32 - 1.
   std::int64_t next_integer(const std::string& expected);
   std::uint32_t next_index(const std::string& expected);
+  /// As next_number and next_integer, but say false and stay where they are instead of
+  /// refusing: then the words of a message need not be made for each number.
+  bool try_number(double& number);
+  bool try_integer(std::int64_t& number);
   /// Refuses anything that is left on this line.
   void end_line();
 

@@ -108,6 +108,16 @@ TEST_F(GltfFile, BuffersMayBeLongerThanTheySayAndHaveParameters) {
   EXPECT_EQ(fault(), "a.gltf:buffers[1]: promises 24 bytes and holds 5; it is cut off");
 }
 
+TEST_F(GltfFile, WholeNumbersMayHaveAPoint) {
+  file["buffers"][0]["byteLength"] = 48.0;
+  file["accessors"][0]["count"] = 4.0;
+  file["accessors"][1]["bufferView"] = 1.0;
+  primitive()["indices"] = 1.0;
+  expect_tetrahedron(read());
+  file["buffers"][0]["byteLength"] = 48.5;
+  EXPECT_THAT(fault(), StartsWith("a.gltf:buffers[0]: has no byteLength"));
+}
+
 TEST_F(GltfFile, BuffersMayBeFilesBelowTheFolder) {
   std::filesystem::create_directory(path("my data"));
   write("my data/points.bin", packed<float>(kPoints) + "more");

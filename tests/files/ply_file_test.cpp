@@ -110,7 +110,7 @@ TEST_F(PlyFile, ColumnsThatNoPropertyNamesNeverShiftTheNextLine) {
             "each element is one line");
   EXPECT_EQ(
       fault(kVertexElement + kFaceElement, kVertices + "3 0 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"),
-      "a.ply:14: the line ends where a vertex number should follow");
+      "a.ply:14: the line ends where vertex_indices of face f0 should follow");
 }
 
 TEST_F(PlyFile, StripsBecomeTriangles) {
