@@ -129,10 +129,12 @@ int view(const ViewOptions& options) {
   MeshSession session(program);
   const LoadedMesh loaded = read_mesh(mesh);
   try {
-    session.open(mesh.filename().string(), loaded.mesh);
+    session.open(mesh.filename().string(), loaded.mesh, loaded.notes);
   } catch (const UserError& error) {
     throw UserError(mesh.string() + ": " + error.what());
   }
+  for (const std::string& note : loaded.notes)
+    std::cerr << mesh.filename().string() << ": note: " << note << "\n";
   const Progress progress = terminal_progress();
   progress("compiling");
   session.rebuild();

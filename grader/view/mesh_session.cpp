@@ -41,9 +41,11 @@ CaseReport tell(const StudentProgram& program, const ViewOperation& operation,
 
 }  // namespace
 
-void MeshSession::open(const std::string& name, const PolygonMesh& mesh) {
+void MeshSession::open(const std::string& name, const PolygonMesh& mesh,
+                       std::vector<std::string> notes) {
   MeshDump first = first_state(mesh);
   name_ = name;
+  notes_ = std::move(notes);
   start_ = mesh;
   operations_.clear();
   stopped_.reset();
