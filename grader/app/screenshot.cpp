@@ -44,7 +44,7 @@ void say(const CaseReport& told, const std::string& step) {
     const std::pair<const char*, const std::string*> parts[] = {
         {": at ", &finding.element},
         {", expected ", &finding.expected},
-        {", came ", &finding.actual}};
+        {", yours ", &finding.actual}};
     for (const auto& [before, part] : parts) {
       if (!part->empty()) std::cout << before << printable(*part);
     }

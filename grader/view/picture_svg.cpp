@@ -220,8 +220,8 @@ class Painter {
   }
 
   void label(const SvgPen& pen, Spot at, const std::string& text, const char* ground) const {
-    constexpr double kSize = 11.5;
-    pen.box(box_around(at, text_width(text, kSize) + 6.0, 15.0), 3.0, ground, {});
+    constexpr double kSize = 13.0;
+    pen.box(box_around(at, text_width(text, kSize) + 6.0, 16.5), 3.0, ground, {});
     pen.text(at, text, {kSize, ground == theme_.ground ? theme_.ink : theme_.ground});
   }
 
@@ -234,7 +234,7 @@ class Painter {
     for (const Shape& shape : shapes) {
       if (shape.corners.size() < 3 || (!open && facing(view_, shape) <= 0.0)) continue;
       pen_.group("face-id").text(spot(middle_of(shape)), face_name(shape.face),
-                                 {11.5, theme_.ink});
+                                 {13.0, theme_.ink});
       vertices.insert(shape.corners.begin(), shape.corners.end());
       for (std::size_t i = 0; i < shape.corners.size(); ++i)
         seen.insert(
@@ -283,7 +283,7 @@ void draw_legend(const SvgPen& pen, const Deviation& deviation, const PictureReq
               deviation_color(deviation, part).c_str(), {});
   }
   const std::array<std::string, 2> ends = deviation_ends(deviation);
-  Lettering small{11.5, theme.ink, false, Anchor::kStart, false};
+  Lettering small{13.0, theme.ink, false, Anchor::kStart, false};
   group.text({14.0, top + 22.0}, ends[0], small);
   const auto letters = static_cast<std::size_t>((request.size.width - kWidth - 40.0) /
                                                 text_width("m", small.size));
@@ -329,7 +329,7 @@ void draw(const SvgPen& pen, const std::vector<PicturePanel>& panels,
     const double head = panels[i].caption.empty() ? 0.0 : kCaption;
     if (head > 0.0) {
       pen.text(corner + Spot{0.5 * w, 17.0}, panels[i].caption,
-               {14.0, theme.ink, false, Anchor::kMiddle, false});
+               {15.0, theme.ink, false, Anchor::kMiddle, false});
     }
     const Box box{corner.x, corner.y + head, corner.x + w, corner.y + h};
     Painter(pen.clipped_group("mesh", box), panels[i], request, ball, box).paint();

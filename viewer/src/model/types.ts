@@ -69,6 +69,8 @@ export interface Case {
   shrunk_from?: string;
   verdict: string;
   note: string;
+  /** Takes no points: another exercise is to blame. */
+  excused?: boolean;
   output: string;
   output_bytes: number;
   findings: Finding[];
@@ -162,6 +164,7 @@ export interface ClassRow {
 }
 export interface ExercisePoints {
   name: string;
+  title?: string;
   verdict: string;
   points: number;
   max_points: number;
