@@ -64,6 +64,9 @@ class MeshSession {
   };
   Normals normals() const;
 
+  /// The same by the numbers of the vertices, not finite for those that are deleted.
+  std::vector<Point3> normals_by_number(const Normals& asked) const;
+
   const std::string& name() const { return name_; }
   const StudentProgram& program() const { return program_; }
   const std::vector<ViewOperation>& operations() const { return operations_; }

@@ -139,13 +139,15 @@ export interface StateJson {
 export interface PictureData {
   kind: 'picture';
   title: string;
-  panels: { caption: string; state: StateJson }[];
+  panels: { caption: string; state: StateJson; normals?: (number | null)[] }[];
   request: {
     camera: { azimuth: number; elevation: number; distance: number };
     width: number;
     height: number;
     wireframe: boolean;
     ids: boolean;
+    smooth: boolean;
+    normals: boolean;
     compare: boolean;
   };
 }
