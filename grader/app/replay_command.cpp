@@ -113,7 +113,7 @@ int replay_in_debugger(Replay replay) {
 }
 
 int replay(const ReplayOptions& options) {
-  if (!options.figures.empty()) make_figure_folder(options.figures);
+  const FigureFolder figures(options.figures);
   Replay replay = prepare(options);
   if (options.debug) return replay_in_debugger(std::move(replay));
   if (options.sanitize) return replay_sanitized(std::move(replay), options);

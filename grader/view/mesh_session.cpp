@@ -1,6 +1,7 @@
 #include "grader/view/mesh_session.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
@@ -159,6 +160,17 @@ std::vector<ViewLevel> MeshSession::levels() const {
     levels.back().position = i + 1;
   }
   return levels;
+}
+
+std::vector<Point3> MeshSession::normals_by_number(const Normals& asked) const {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Point3> list;
+  std::size_t next = 0;
+  for (const VertexRecord& v : states_.at(position_).mesh.vertices) {
+    const bool has_one = v.live != 0 && next < asked.normals.size();
+    list.push_back(has_one ? asked.normals[next++] : Point3{kNone, kNone, kNone});
+  }
+  return list;
 }
 
 MeshSession::Normals MeshSession::normals() const {

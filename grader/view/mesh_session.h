@@ -65,6 +65,9 @@ class MeshSession {
   };
   Normals normals() const;
 
+  /// The same by the numbers of the vertices, not finite for those that are deleted.
+  std::vector<Point3> normals_by_number(const Normals& asked) const;
+
   const std::string& name() const { return name_; }
   const std::vector<std::string>& notes() const { return notes_; }
   const StudentProgram& program() const { return program_; }

@@ -72,6 +72,12 @@ TEST_F(BatchCommand, PicturesLieBesideTheReportUntilNothingIsWrong) {
              read_whole_file(wrong("edge_flip/next_wrong/edge_flip.cpp")));
   batch({"-o", results_.string()});
   const fs::path pictures = results_ / "results" / "ann" / "figures";
+  // A student finds the picture from beside the text.
+  const std::string text = read_whole_file(pictures.parent_path() / "report.txt");
+  const std::size_t named = text.find("picture   ");
+  ASSERT_NE(named, std::string::npos);
+  const std::string name = text.substr(named + 10, text.find('\n', named) - named - 10);
+  EXPECT_TRUE(fs::is_regular_file(pictures.parent_path() / name)) << name;
   ASSERT_TRUE(fs::is_directory(pictures));
   const std::string first = fs::directory_iterator(pictures)->path().filename().string();
   EXPECT_THAT(read_whole_file(results_ / "results" / "ann" / "report.json"), HasSubstr(first));
