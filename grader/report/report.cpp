@@ -182,6 +182,7 @@ Report make_report(const Assignment& assignment, const Submission& submission,
     report.files.push_back({file.name, whole, file.messages, file.linked});
     report.notes.insert(report.notes.end(), file.notes.begin(), file.notes.end());
     for (const LeftOut& left : file.left_out) {
+      if (left.not_judged) continue;  // told among the file's own notes
       report.notes.push_back(file.name + ":" + std::to_string(left.line) + ": " +
                              left.function + " does not compile and is left out: " +
                              left.message + "; the rest of the file is graded");
