@@ -124,7 +124,8 @@ std::string type_from_use(const std::string& code, const std::string& name) {
   }
   if (used("", "\\s*[-+*/]?=\\s*[-0-9]*[0-9]*\\.[0-9]")) return "double";
   if (used("", "(?:\\+\\+|--)") || used("(?:\\+\\+|--)\\w+", "") ||
-      used("", "\\s*[-+]?=\\s*-?[0-9]+\\s*;") || used("", "\\s*%")) {
+      used("", "\\s*[-+]?=\\s*-?[0-9]+\\s*;") || used("", "\\s*%") ||
+      used("", "\\s*[-+]\\s*[0-9]+\\b(?!\\.)")) {
     return "int";
   }
   if (name.rfind("is", 0) == 0 || name.rfind("has", 0) == 0 || name.rfind("was", 0) == 0) {

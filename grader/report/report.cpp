@@ -93,9 +93,15 @@ GroupReport add_up(const Group& group, const std::vector<CaseReport>& cases,
   return report;
 }
 
+bool has_judged_case(const ExerciseReport& exercise) {
+  return std::any_of(exercise.cases.begin(), exercise.cases.end(),
+                     [](const CaseReport& c) { return !c.excused; });
+}
+
 /// The verdict of the first case that was not passed, in the order of the groups that are
 /// required. A missing verdict for some cases does not spoil that of the others.
 Verdict overall_verdict(const ExerciseReport& exercise) {
+  if (!exercise.cases.empty() && !has_judged_case(exercise)) return Verdict::kNotJudged;
   Verdict verdict = Verdict::kPassed;
   for (const GroupReport& group : exercise.groups) {
     if (group.extra_credit) continue;

@@ -65,10 +65,14 @@ bool defines_graded_function(const std::string& text) {
 }  // namespace
 
 const std::set<std::string>& graded_functions() {
-  static const std::set<std::string> names{
-      "BezierCurve::evaluateStep", "BezierPatch::evaluateStep", "BezierPatch::evaluate1D",
-      "BezierPatch::evaluate",     "BezierPatch::preprocess",   "Vertex::normal",
-      "HalfedgeMesh::flipEdge",    "HalfedgeMesh::splitEdge",   "MeshResampler::upsample"};
+  static const std::set<std::string> names{"BezierCurve::evaluateStep",
+                                           "BezierPatch::evaluateStep",
+                                           "BezierPatch::evaluate1D",
+                                           "BezierPatch::evaluate",
+                                           "Vertex::normal",
+                                           "HalfedgeMesh::flipEdge",
+                                           "HalfedgeMesh::splitEdge",
+                                           "MeshResampler::upsample"};
   return names;
 }
 
