@@ -70,8 +70,8 @@ FileDescriptor lock_results(const fs::path& folder) {
 std::string fingerprint_of(const Submission& submission, const std::string& identity) {
   Digest digest;
   digest.add(identity).add(submission.name).add(join(submission.notes, "\n"));
-  for (const auto* files :
-       {&submission.sources, &submission.headers, &submission.course_headers}) {
+  for (const auto* files : {&submission.sources, &submission.headers,
+                            &submission.course_sources, &submission.course_headers}) {
     digest.add(std::to_string(files->size()));
     for (const SourceFile& file : *files)
       digest.add(file.name).add(file.text);

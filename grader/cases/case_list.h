@@ -34,6 +34,8 @@ class CaseMaker {
   std::vector<ControlNet> patches(const std::string& file) const;
   std::vector<Point2> curve(const std::string& file) const;
 
+  const ExerciseRubric& rubric() const { return rubric_; }
+
   /// Random numbers of this exercise; each purpose has a stream of its own.
   Random random(const std::string& purpose) const {
     return {assignment_.seed, rubric_.name + "/" + purpose};

@@ -123,9 +123,15 @@ GroupReport add_up(const Group& group, const std::vector<JudgedCase>& cases,
   return report;
 }
 
+bool has_judged_case(const ExerciseReport& exercise) {
+  return std::any_of(exercise.cases.begin(), exercise.cases.end(),
+                     [](const CaseReport& c) { return !c.excused; });
+}
+
 /// The verdict of the first case that was not passed, in the order of the groups that are
 /// required. A missing verdict for some cases does not spoil that of the others.
 Verdict overall_verdict(const ExerciseReport& exercise) {
+  if (!exercise.cases.empty() && !has_judged_case(exercise)) return Verdict::kNotJudged;
   Verdict verdict = Verdict::kPassed;
   for (const GroupReport& group : exercise.groups) {
     if (group.extra_credit) continue;
@@ -212,6 +218,7 @@ Report make_report(const Assignment& assignment, const Submission& submission,
     report.files.push_back({file.name, whole, file.messages, file.linked});
     report.notes.insert(report.notes.end(), file.notes.begin(), file.notes.end());
     for (const LeftOut& left : file.left_out) {
+      if (left.not_judged) continue;  // told among the file's own notes
       report.notes.push_back(file.name + ":" + std::to_string(left.line) + ": " +
                              left.function + " does not compile and is left out: " +
                              left.message + "; the rest of the file is graded");

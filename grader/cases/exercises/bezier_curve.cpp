@@ -1,5 +1,6 @@
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
+#include "grader/cases/bezier_skeleton.h"
 #include "grader/cases/case_list.h"
 
 namespace meshgrade {
@@ -30,10 +31,7 @@ void add_whole(CaseMaker& maker, const std::string& what, std::vector<Point2> po
             kNoSteps, CurveInput{std::move(points), t, steps});
 }
 
-}  // namespace
-
-void make_bezier_curve_cases(CaseMaker& maker) {
-  Random random = maker.random("points");
+void make_cases_of_any_size(CaseMaker& maker, Random& random) {
   for (std::size_t count : {2U, 3U, 4U, 6U}) {
     for (double t : {0.5, 0.25, 0.0, 1.0}) {
       add_step(maker, "basic", random_points(count, random), t);
@@ -50,7 +48,41 @@ void make_bezier_curve_cases(CaseMaker& maker) {
   add_step(maker, "stress", random_points(30, random), random.unit());
 }
 
+/// Berkeley's curves have 4 points: a step is made from 4 points, and since 2020, where it is
+/// given its points, from the 3 and 2 of the levels behind.
+void make_cases_of_four_points(CaseMaker& maker, bool on_levels, Random& random) {
+  const std::vector<std::size_t> counts =
+      on_levels ? std::vector<std::size_t>{4} : std::vector<std::size_t>{2, 3, 4};
+  for (std::size_t count : counts) {
+    for (double t : {0.5, 0.25, 0.0, 1.0}) {
+      add_step(maker, "basic", random_points(count, random), t);
+    }
+  }
+  for (int curve = 0; curve < 4; ++curve) {
+    const auto points = curve == 0 ? maker.curve("arch_4.bzc") : random_points(4, random);
+    for (double t : {0.25, 0.5, 0.0, 1.0, random.unit()}) {
+      add_whole(maker, curve == 0 ? "arch_4.bzc" : "a random curve", points, t);
+    }
+  }
+  for (std::size_t i = 0; i < 20; ++i) {
+    add_step(maker, "stress", random_points(counts[i % counts.size()], random), random.unit());
+  }
+}
+
+}  // namespace
+
+void make_bezier_curve_cases(CaseMaker& maker) {
+  Random random = maker.random("points");
+  const BezierSkeleton skeleton = bezier_skeleton(maker.rubric());
+  if (skeleton == BezierSkeleton::kMeshedit) {
+    make_cases_of_any_size(maker, random);
+  } else {
+    make_cases_of_four_points(maker, skeleton == BezierSkeleton::kCourse2017, random);
+  }
+}
+
 void shrink_bezier_curve_case(CaseMaker& maker, const Case& failed) {
+  if (bezier_skeleton(maker.rubric()) == BezierSkeleton::kCourse2017) return;
   const auto input = from_wire<CurveInput>(failed.input);
   if (input.steps != 1) return;
   for (std::size_t count = 2; count < input.points.size(); ++count) {

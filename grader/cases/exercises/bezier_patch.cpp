@@ -2,6 +2,7 @@
 
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
+#include "grader/cases/bezier_skeleton.h"
 #include "grader/cases/case_list.h"
 
 namespace meshgrade {
@@ -57,8 +58,9 @@ void add_step(CaseMaker& maker, std::size_t count, double t, Random& random) {
             PatchInput{PatchFunction::kStep, {random_row(count, random)}, {{t, 0.0}}});
 }
 
-void add_line(CaseMaker& maker, std::size_t count, double t, Random& random) {
-  maker.add("line", "evaluate1D on " + place_text(count, t), kNoSteps,
+void add_line(CaseMaker& maker, const std::string& group, std::size_t count, double t,
+              Random& random) {
+  maker.add(group, "evaluate1D on " + place_text(count, t), kNoSteps,
             PatchInput{PatchFunction::kLine, {random_row(count, random)}, {{t, 0.0}}});
 }
 
@@ -71,26 +73,43 @@ void add_surface(CaseMaker& maker, const std::string& group, const std::string& 
             PatchInput{PatchFunction::kSurface, std::move(net), parameters});
 }
 
-}  // namespace
-
-void make_bezier_patch_cases(CaseMaker& maker) {
-  Random random = maker.random("nets");
+void make_lines_of_any_size(CaseMaker& maker, Random& random, Random& more) {
   for (std::size_t count : {2U, 3U, 4U, 7U}) {
     for (double t : {0.5, 0.25, 0.0, 1.0, random.unit()}) {
       add_step(maker, count, t, random);
-      add_line(maker, count, t, random);
+      add_line(maker, "line", count, t, random);
     }
   }
-  Random more = maker.random("other sizes");
   add_step(maker, 12, more.unit(), more);
-  add_line(maker, 12, more.unit(), more);
-  add_line(maker, 1, more.unit(), more);  // a curve of one point is that point
+  add_line(maker, "line", 12, more.unit(), more);
+  add_line(maker, "line", 1, more.unit(), more);  // a curve of one point is that point
+}
+
+/// Lines of 4 points, as Berkeley's patches have them. Where there is no evaluateStep, the
+/// points for a step are given for what takes its place.
+void make_lines_of_four_points(CaseMaker& maker, bool has_step, Random& random) {
+  for (std::size_t count : {2U, 3U, 4U, 4U}) {
+    for (double t : {0.5, 0.25, 0.0, 1.0, random.unit()}) {
+      if (has_step) {
+        add_step(maker, count, t, random);
+      } else {
+        add_line(maker, "step", 4, t, random);
+      }
+      add_line(maker, "line", 4, t, random);
+    }
+  }
+}
+
+void add_surfaces(CaseMaker& maker, Random& random) {
   add_surface(maker, "surface", "wavy.bez", to_net(maker.patches("wavy.bez").at(0)),
               {kPlace, {0.5, 0.5}, {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}});
   for (int i = 0; i < 6; ++i) {
     add_surface(maker, "surface", "a random net", random_net(4, 4, random),
                 {kPlace, {random.unit(), random.unit()}, {1.0, 0.0}});
   }
+}
+
+void add_nets_of_many_sizes(CaseMaker& maker, Random& random) {
   add_surface(maker, "stress", "net_3x5.bez", to_net(maker.patches("net_3x5.bez").at(0)),
               {kPlace, {0.0, 1.0}, {random.unit(), random.unit()}});
   for (std::size_t rows : {2U, 3U, 5U}) {
@@ -99,11 +118,31 @@ void make_bezier_patch_cases(CaseMaker& maker) {
                   {kPlace, {random.unit(), random.unit()}});
     }
   }
+}
+
+void add_teapot(CaseMaker& maker, Random& random) {
   int number = 0;
   for (const ControlNet& patch : maker.patches("teapot.bez")) {
     add_surface(maker, "stress", "patch " + std::to_string(++number) + " of the teapot",
                 to_net(patch), {{random.unit(), random.unit()}, {0.5, 0.25}});
   }
+}
+
+}  // namespace
+
+void make_bezier_patch_cases(CaseMaker& maker) {
+  Random random = maker.random("nets");
+  Random more = maker.random("other sizes");
+  const BezierSkeleton skeleton = bezier_skeleton(maker.rubric());
+  if (skeleton != BezierSkeleton::kMeshedit) {
+    make_lines_of_four_points(maker, skeleton == BezierSkeleton::kCourse2020, random);
+    add_surfaces(maker, random);
+    return add_teapot(maker, random);
+  }
+  make_lines_of_any_size(maker, random, more);
+  add_surfaces(maker, random);
+  add_nets_of_many_sizes(maker, random);
+  add_teapot(maker, random);
   for (const auto& [rows, columns] :
        {std::pair(1U, 4U), std::pair(4U, 1U), std::pair(1U, 1U)}) {
     add_surface(maker, "stress", "a random net", random_net(rows, columns, more), {kPlace});
@@ -115,8 +154,10 @@ void shrink_bezier_patch_case(CaseMaker& maker, const Case& failed) {
   if (input.function != PatchFunction::kSurface) return;
   const std::size_t rows = input.net.size();
   const std::size_t columns = input.net[0].size();
-  for (std::size_t r = std::min<std::size_t>(rows, 2); r <= rows; ++r) {
-    for (std::size_t c = std::min<std::size_t>(columns, 2); c <= columns; ++c) {
+  const bool any_size = bezier_skeleton(maker.rubric()) == BezierSkeleton::kMeshedit;
+  const std::size_t least = any_size ? 2 : 4;
+  for (std::size_t r = std::min(rows, least); r <= rows; ++r) {
+    for (std::size_t c = std::min(columns, least); c <= columns; ++c) {
       for (const auto& place : input.parameters) {
         if (r == rows && c == columns && input.parameters.size() == 1) continue;
         add_surface(maker, failed.group, "a corner of that net", corner_of(input.net, r, c),

@@ -2,6 +2,7 @@
 
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
+#include "grader/cases/bezier_skeleton.h"
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
@@ -148,7 +149,8 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
 }  // namespace
 
 ExerciseJudge bezier_curve_judge(const ExerciseRubric& rubric) {
-  refuse_unknown_options(rubric, {});
+  refuse_unknown_options(rubric, {kSkeletonOption});
+  choose_option(rubric, kSkeletonOption, skeleton_choices());
   return {{"BezierCurve::evaluateStep"}, {}, judge_steps, known_misconceptions()};
 }
 

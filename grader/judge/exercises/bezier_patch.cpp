@@ -2,6 +2,7 @@
 
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
+#include "grader/cases/bezier_skeleton.h"
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
@@ -188,11 +189,13 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
 }  // namespace
 
 ExerciseJudge bezier_patch_judge(const ExerciseRubric& rubric) {
-  refuse_unknown_options(rubric, {});
-  return {{"BezierPatch::evaluateStep", "BezierPatch::evaluate1D", "BezierPatch::evaluate"},
-          {},
-          judge_steps,
-          known_misconceptions()};
+  refuse_unknown_options(rubric, {kSkeletonOption});
+  choose_option(rubric, kSkeletonOption, skeleton_choices());
+  std::vector<std::string> functions{"BezierPatch::evaluate1D", "BezierPatch::evaluate"};
+  if (bezier_skeleton(rubric) != BezierSkeleton::kCourse2017) {
+    functions.insert(functions.begin(), "BezierPatch::evaluateStep");
+  }
+  return {functions, {}, judge_steps, known_misconceptions()};
 }
 
 }  // namespace meshgrade
