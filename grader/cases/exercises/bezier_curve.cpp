@@ -1,5 +1,6 @@
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
+#include "grader/cases/bezier_shapes.h"
 #include "grader/cases/case_list.h"
 
 namespace meshgrade {
@@ -30,6 +31,25 @@ void add_whole(CaseMaker& maker, const std::string& what, std::vector<Point2> po
             kNoSteps, CurveInput{std::move(points), t, steps});
 }
 
+/// A grid of parameters, and what must not depend on the size, the place and the direction.
+void add_moved(CaseMaker& maker) {
+  Random random = maker.random("moved");
+  for (double t : kParameterGrid)
+    add_step(maker, "stress", points_on_grid<Point2>(5, random), t);
+  const auto points = points_on_grid<Point2>(4, random);
+  const double t = kParameterGrid[random.below(2)];
+  for (const auto& moved : moved_points(points)) {
+    maker.add("stress", "all 3 steps with 4 points, " + moved.how, kNoSteps,
+              CurveInput{moved.points, t, 3});
+  }
+  // So that the middle of two points, the first of the next level, is the origin.
+  auto around = points;
+  around[1] = {-around[0][0], -around[0][1]};
+  add_step(maker, "stress", around, 0.5);
+  maker.add_fresh("stress", "all 8 steps with 9 points, before anything else", kNoSteps,
+                  CurveInput{points_on_grid<Point2>(9, random), 0.375, 8});
+}
+
 }  // namespace
 
 void make_bezier_curve_cases(CaseMaker& maker) {
@@ -48,6 +68,7 @@ void make_bezier_curve_cases(CaseMaker& maker) {
     add_step(maker, "stress", random_points(count, random), random.unit());
   }
   add_step(maker, "stress", random_points(30, random), random.unit());
+  add_moved(maker);
 }
 
 void shrink_bezier_curve_case(CaseMaker& maker, const Case& failed) {
