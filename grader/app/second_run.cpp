@@ -24,19 +24,6 @@ struct Question {
   const ExerciseRun& first;
 };
 
-/// Puts the cases that did not pass through the worker with stand-ins, and judges all anew.
-JudgedExercise judge_second(const Question& question, const Candidate& candidate) {
-  const ExerciseRun& first = question.first;
-  std::vector<Outcome> outcomes = run_cases(candidate.build, pointers_to(first.cases),
-                                            question.assignment.limits, Company::kTogether);
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const bool passed = first.judged.cases[i].judgement.verdict == Verdict::kPassed;
-    if (passed) outcomes[i] = first.outcomes[i];
-  }
-  return judge_exercise(question.assignment, question.home, candidate, *first.judged.rubric,
-                        first.cases, outcomes);
-}
-
 /// Whether this one case passes, in a process of its own.
 bool passes_alone(const Assignment& assignment, const Home& home, const Candidate& candidate,
                   const ExerciseRubric& rubric, const Case& asked) {
@@ -44,6 +31,35 @@ bool passes_alone(const Assignment& assignment, const Home& home, const Candidat
       run_cases(candidate.build, {&asked}, assignment.limits, Company::kTogether);
   return passed_cases(judge_exercise(assignment, home, candidate, rubric, {asked}, outcomes)) ==
          1;
+}
+
+/// Whether the outcome of a case is right, whatever conventions other cases follow.
+bool is_right_outcome(const Question& question, const Case& asked, const Outcome& outcome) {
+  const ExerciseRubric& rubric = *question.first.judged.rubric;
+  const ExerciseJudge judge = find_exercise_judge(rubric);
+  Conventions conventions = judge.conventions;
+  return judge_case(judge, {asked, outcome, rubric, question.assignment.tolerance, false},
+                    conventions)
+             .verdict == Verdict::kPassed;
+}
+
+/// Puts the cases that did not pass through the worker with stand-ins, and judges all anew.
+/// Those that did pass count as they came; but one that passes alone with the same stand-ins,
+/// and fails after other cases, does so by what the student's function keeps from call to call.
+JudgedExercise judge_second(const Question& question, const Candidate& candidate) {
+  const ExerciseRun& first = question.first;
+  std::vector<Outcome> outcomes = run_cases(candidate.build, pointers_to(first.cases),
+                                            question.assignment.limits, Company::kTogether);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Case& asked = first.cases[i];
+    if (first.judged.cases[i].judgement.verdict != Verdict::kPassed) continue;
+    const bool keeps_state = !is_right_outcome(question, asked, outcomes[i]) &&
+                             passes_alone(question.assignment, question.home, candidate,
+                                          *first.judged.rubric, asked);
+    if (!keeps_state) outcomes[i] = first.outcomes[i];
+  }
+  return judge_exercise(question.assignment, question.home, candidate, *first.judged.rubric,
+                        first.cases, outcomes);
 }
 
 /// A function can do all that its own exercise asks, and not what its caller relies on: which
@@ -249,7 +265,8 @@ void run_with_stand_ins(const Assignment& assignment, const Home& home,
     if (!is_all_right(exercise)) incomplete.push_back(&exercise);
   }
   if (!wrong.empty()) run_with(assignment, home, candidate, wrong, run);
-  // What is missing for extra credit only may not hide how the student's own parts fit together.
+  // What is missing for extra credit only may not hide how the student's own parts fit
+  // together.
   const bool is_more = incomplete.size() > wrong.size();
   if (is_more && is_required_right(run.judged) && !is_all_right(run.judged)) {
     run_with(assignment, home, candidate, incomplete, run);

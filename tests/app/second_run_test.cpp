@@ -86,7 +86,7 @@ TEST_F(SecondRun, GivesARightSubdivisionItsPointsDespiteABrokenSplit) {
   EXPECT_EQ(report.extra_points, report.max_extra_points);
   EXPECT_THAT(report.stand_ins, ElementsAre("edge_split"));
   EXPECT_THAT(report.notes.at(0), HasSubstr("your own edge_split is part of this and fails"));
-  EXPECT_THAT(report.notes.at(1), HasSubstr("32 of 32 cases pass, instead of 0"));
+  EXPECT_THAT(report.notes.at(1), HasSubstr("cases pass, instead of 0; these points count"));
 }
 
 TEST_F(SecondRun, JudgesASubdivisionBeforeTheSplitIsWritten) {
@@ -162,24 +162,38 @@ TEST_P(MarksOfTheHalves, AreThoseThatTheSubdivisionReliesOn) {
   EXPECT_THAT(report.stand_ins, ElementsAre("edge_split"));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Split, MarksOfTheHalves,
-    testing::Values(Marks{"left", "true", "one != other"},
-                    Marks{"cleared", "true", "!one && !other"},
-                    Marks{"set", "false", "one && other"}),
-    [](const testing::TestParamInfo<Marks>& marks) { return marks.param.name; });
+INSTANTIATE_TEST_SUITE_P(Split, MarksOfTheHalves,
+                         testing::Values(Marks{"left", "true", "one != other"},
+                                         Marks{"cleared", "true", "!one && !other"},
+                                         Marks{"set", "false", "one && other"}),
+                         [](const testing::TestParamInfo<Marks>& marks) {
+                           return marks.param.name;
+                         });
 
 TEST_F(SecondRun, KeepsWhatTheFirstRunFoundWhereTheCaseFailsAllTheSame) {
   const SourceFile wrong =
       altered("loop_subdivision.cpp", "3.0 / 8.0 * ends", "2.0 / 8.0 * ends");
-  const SourceFile refusing = altered("edge_split.cpp", "const HalfedgeIter h = e0->halfedge();",
-                                      "const HalfedgeIter h;");
+  const SourceFile refusing = altered(
+      "edge_split.cpp", "const HalfedgeIter h = e0->halfedge();", "const HalfedgeIter h;");
   const ExerciseReport report = loop_of(files(flip_, refusing, wrong));
   EXPECT_EQ(report.points, 0.0);
   EXPECT_EQ(report.cases.at(0).findings.at(0).finding.rule, "unset-handle");
   EXPECT_THAT(report.notes,
               Contains(HasSubstr("loop_subdivision:basic/1 fails with a right solution of "
                                  "edge_split, too: the positions are those of Loop")));
+}
+
+// Crashes begin new processes in the first run, so that the third call comes nowhere; the
+// second run has it in the third case, which passes alone.
+TEST_F(SecondRun, CountsWhatTheSubdivisionKeepsFromCallToCall) {
+  const SourceFile wrong =
+      altered("loop_subdivision.cpp", "// 1. All new points",
+              "static int calls = 0;\n  if (++calls == 3) return;\n  // 1. All new points");
+  const SourceFile often =
+      spoiled("edge_split.cpp", "return m;", "if (nFaces() < 40) std::abort();\n  ");
+  const ExerciseReport report = loop_of(files(flip_, often, wrong));
+  EXPECT_EQ(report.verdict, Verdict::kFailed);
+  EXPECT_LT(report.points, report.max_points);
 }
 
 TEST_F(SecondRun, FindsWhatIsWrongWithTheSubdivisionItself) {
