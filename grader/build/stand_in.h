@@ -22,7 +22,8 @@ struct StandIn {
 
 /// The submission with these exercises taken out of its files and the reference's files put in,
 /// so that what calls them can be judged on its own.
-/// @return nothing if this package comes without the reference, or if that has not the text that
+/// @return nothing if this package comes without the reference, or if that has not the text
+/// that
 ///         is to be changed
 /// @throws GraderError if a file of the reference cannot be read
 std::optional<Submission> with_stand_ins(Submission submission, const Home& home,
