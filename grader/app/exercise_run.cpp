@@ -1,6 +1,8 @@
 #include "grader/app/exercise_run.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "grader/app/compile_blame.h"
 #include "grader/app/handle_references.h"
@@ -104,9 +106,25 @@ bool has_failure(const JudgedExercise& exercise) {
   });
 }
 
+namespace {
+
+bool is_right(const JudgedCase& judged) {
+  return judged.judgement.verdict == Verdict::kPassed || judged.judgement.excused;
+}
+
+}  // namespace
+
 bool is_all_right(const JudgedExercise& exercise) {
-  return std::all_of(exercise.cases.begin(), exercise.cases.end(), [](const JudgedCase& c) {
-    return c.judgement.verdict == Verdict::kPassed || c.judgement.excused;
+  return std::all_of(exercise.cases.begin(), exercise.cases.end(), is_right);
+}
+
+bool is_required_right(const JudgedExercise& exercise) {
+  std::set<std::string> extra;
+  for (const Group& group : exercise.rubric->groups) {
+    if (group.extra_credit) extra.insert(group.name);
+  }
+  return std::all_of(exercise.cases.begin(), exercise.cases.end(), [&](const JudgedCase& c) {
+    return is_right(c) || extra.count(c.asked.group) != 0;
   });
 }
 

@@ -14,7 +14,7 @@
 
 namespace meshgrade {
 
-constexpr std::uint32_t kProtocolVersion = 2;
+constexpr std::uint32_t kProtocolVersion = 3;
 
 /// One case for the worker: the exercise, the packed input, and the limits.
 struct Task {
@@ -23,10 +23,11 @@ struct Task {
   std::uint64_t step_budget = 0;  ///< uses of handles
   std::uint32_t cpu_ms = 0;       ///< processor time
   std::uint32_t wall_ms = 0;      ///< time on the clock
+  bool fresh = false;             ///< begins a process of its own
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(exercise, input, step_budget, cpu_ms, wall_ms);
+    wire(exercise, input, step_budget, cpu_ms, wall_ms, fresh);
   }
 };
 

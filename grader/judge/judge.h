@@ -29,6 +29,14 @@ struct JudgeTask {
 /// takes out what a case rules out.
 using Conventions = std::set<std::string>;
 
+/// What the contract leaves open and a caller may rely on all the same: lines of the reference
+/// that another right solution has otherwise.
+struct OpenChoice {
+  const char* was;
+  const char* becomes;
+  const char* meaning;  ///< "one that marks both halves of the old edge as new"
+};
+
 /// What the judge knows of an exercise.
 struct ExerciseJudge {
   std::vector<std::string> functions;  ///< that the student writes: "HalfedgeMesh::flipEdge"
@@ -47,6 +55,8 @@ struct ExerciseJudge {
 
   /// Whether it tells CaseJudgement::right_share.
   bool counts_pointers = false;
+
+  std::vector<OpenChoice> choices = {};  ///< besides what the reference chooses
 };
 
 /// Makes sure of a claim that all steps are done. Call it when no step is wrong.

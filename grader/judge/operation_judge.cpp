@@ -9,6 +9,7 @@
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
 #include "grader/judge/findings.h"
+#include "grader/judge/local_scale.h"
 #include "grader/judge/operation_advice.h"
 #include "grader/judge/operation_model.h"
 #include "grader/judge/pointer_diff.h"
@@ -188,7 +189,9 @@ class StepJudge {
 
   void judge_untouched() {
     const bool is_flip = operation_.kind == OperationKind::kFlip;
-    if (is_flip && (boundary_ || would_double())) return;
+    const bool may_refuse = boundary_ || (is_flip && would_double());
+    if (may_refuse && !keeps_positions()) return;
+    if (is_flip && may_refuse) return;
     if (!is_flip && boundary_) {
       if (task_.asked.group != "boundary_split") return;
       judgement_.verdict = Verdict::kNotImplemented;
@@ -348,23 +351,28 @@ class StepJudge {
                       actual[2] - expected[2]);
   }
 
+  LocalScale scale() const {
+    return scale_of_edge(before_.vertices[diamond_.b].position,
+                         before_.vertices[diamond_.c].position, task_.tolerance);
+  }
+
   bool is_midpoint(const Point3& expected, Ref mine) const {
-    return distance_from(expected, mine) <= task_.tolerance * diagonal(before_);
+    return distance_from(expected, mine) <= scale().allowed;
   }
 
   void judge_midpoint(const Point3& expected, Ref mine) {
     if (is_midpoint(expected, mine)) return;
     const Point3& actual = after_.vertices[mine].position;
-    const double size = diagonal(before_);
     const double error = distance_from(expected, mine);
+    const LocalScale scale = this->scale();
     report("midpoint", "the new vertex lies in the middle of the edge that was split",
            vertex_name(mine),
            "the middle of " + vertex_name(diamond_.b) + " and " + vertex_name(diamond_.c) +
                ": " + point_text(expected),
-           point_text(actual) + ", off by " + error_text(error, size, task_.tolerance),
+           point_text(actual) + ", off by " + error_text(error, scale),
            vertex_name(mine) + ".position");
     judgement_.findings.back().likely =
-        recognize_midpoint(before_, diamond_, actual, task_.tolerance * size);
+        recognize_midpoint(before_, diamond_, actual, scale.allowed);
   }
 
   /// Puts what is wrong pointer by pointer in front of the rules that are broken by it.

@@ -52,8 +52,8 @@ TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
   list.result_bytes = limits.result_mb * kMegabyte;
   list.output_bytes = limits.output_mb * kMegabyte;
   for (const Case* c : cases) {
-    list.tasks.push_back(
-        {c->exercise, c->input, c->step_budget, limits.case_cpu_ms, limits.case_wall_ms});
+    list.tasks.push_back({c->exercise, c->input, c->step_budget, limits.case_cpu_ms,
+                          limits.case_wall_ms, c->fresh});
   }
   return list;
 }

@@ -1,5 +1,6 @@
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
+#include "grader/cases/bezier_shapes.h"
 #include "grader/cases/bezier_skeleton.h"
 #include "grader/cases/case_list.h"
 
@@ -31,6 +32,30 @@ void add_whole(CaseMaker& maker, const std::string& what, std::vector<Point2> po
             kNoSteps, CurveInput{std::move(points), t, steps});
 }
 
+/// A grid of parameters, and what must not depend on the size, the place and the direction.
+void add_moved(CaseMaker& maker, std::size_t count) {
+  Random random = maker.random("moved");
+  for (double t : kParameterGrid)
+    add_step(maker, "stress", points_on_grid<Point2>(count, random), t);
+  const auto points = points_on_grid<Point2>(4, random);
+  const double t = kParameterGrid[random.below(2)];
+  for (const auto& moved : moved_points(points)) {
+    maker.add("stress", "all 3 steps with 4 points, " + moved.how, kNoSteps,
+              CurveInput{moved.points, t, 3});
+  }
+  // So that the middle of two points, the first of the next level, is the origin.
+  auto around = points;
+  around[1] = {-around[0][0], -around[0][1]};
+  add_step(maker, "stress", around, 0.5);
+}
+
+/// What a curve of many points keeps from call to call shows in a process of its own.
+void add_fresh_curve(CaseMaker& maker) {
+  Random random = maker.random("fresh");
+  maker.add_fresh("stress", "all 8 steps with 9 points, before anything else", kNoSteps,
+                  CurveInput{points_on_grid<Point2>(9, random), 0.375, 8});
+}
+
 void make_cases_of_any_size(CaseMaker& maker, Random& random) {
   for (std::size_t count : {2U, 3U, 4U, 6U}) {
     for (double t : {0.5, 0.25, 0.0, 1.0}) {
@@ -46,6 +71,8 @@ void make_cases_of_any_size(CaseMaker& maker, Random& random) {
     add_step(maker, "stress", random_points(count, random), random.unit());
   }
   add_step(maker, "stress", random_points(30, random), random.unit());
+  add_moved(maker, 5);
+  add_fresh_curve(maker);
 }
 
 /// Berkeley's curves have 4 points: a step is made from 4 points, and since 2020, where it is
@@ -67,6 +94,7 @@ void make_cases_of_four_points(CaseMaker& maker, bool on_levels, Random& random)
   for (std::size_t i = 0; i < 20; ++i) {
     add_step(maker, "stress", random_points(counts[i % counts.size()], random), random.unit());
   }
+  add_moved(maker, 4);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
+#include "grader/cases/bezier_shapes.h"
 #include "grader/cases/bezier_skeleton.h"
 #include "grader/cases/case_list.h"
 
@@ -73,6 +74,62 @@ void add_surface(CaseMaker& maker, const std::string& group, const std::string& 
             PatchInput{PatchFunction::kSurface, std::move(net), parameters});
 }
 
+/// More numbers of points, and the grid of parameters in a process of its own.
+void add_rows(CaseMaker& maker) {
+  Random random = maker.random("rows");
+  for (std::size_t count : {5U, 6U, 8U, 16U, 24U}) {
+    add_step(maker, count, random.unit(), random);
+    add_line(maker, count, random.unit(), random);
+  }
+  std::vector<std::array<double, 2>> grid;
+  for (double t : kParameterGrid)
+    grid.push_back({t, 0.0});
+  const std::string places = " with 5 points at " + plural(grid.size(), "place");
+  maker.add_fresh("step", "evaluateStep" + places + ", before anything else", kNoSteps,
+                  PatchInput{PatchFunction::kStep, {random_row(5, random)}, grid});
+  maker.add_fresh("line", "evaluate1D" + places + ", before anything else", kNoSteps,
+                  PatchInput{PatchFunction::kLine, {random_row(5, random)}, grid});
+}
+
+/// All sizes from 2 to 8, and some beyond.
+void add_sizes(CaseMaker& maker) {
+  Random random = maker.random("sizes");
+  std::vector<std::pair<std::size_t, std::size_t>> sizes{{3, 13}, {13, 3}, {2, 24}, {24, 2}};
+  for (std::size_t rows = 2; rows <= 8; ++rows) {
+    for (std::size_t columns = 2; columns <= 8; ++columns)
+      sizes.emplace_back(rows, columns);
+  }
+  for (const auto& [rows, columns] : sizes) {
+    add_surface(maker, "stress", "a random net", random_net(rows, columns, random),
+                {kPlace, {random.unit(), random.unit()}});
+  }
+}
+
+/// What must not depend on the size, the place and the direction, and a grid of parameters.
+void add_moved_nets(CaseMaker& maker) {
+  Random random = maker.random("moved");
+  constexpr std::size_t kRows = 4;
+  constexpr std::size_t kColumns = 4;
+  const auto points = points_on_grid<Point3>(kRows * kColumns, random);
+  for (const auto& moved : moved_points(points)) {
+    Net net;
+    for (std::size_t r = 0; r < kRows; ++r) {
+      const auto row = moved.points.begin() + static_cast<std::ptrdiff_t>(r * kColumns);
+      net.emplace_back(row, row + kColumns);
+    }
+    add_surface(maker, "stress", "a random net " + moved.how, net, {kPlace, {0.875, 0.75}});
+  }
+  // Each value of the grid once for u and once for v, with none of them at the same place.
+  std::vector<std::array<double, 2>> places{kPlace};
+  for (std::size_t i = 0; i < kParameterGrid.size(); ++i)
+    places.push_back({kParameterGrid[i], kParameterGrid[(i + 4) % kParameterGrid.size()]});
+  maker.add_fresh("stress",
+                  "evaluate on a random net (4 rows of 4) at a grid of places, "
+                  "before anything else",
+                  kNoSteps,
+                  PatchInput{PatchFunction::kSurface, random_net(4, 4, random), places});
+}
+
 void make_lines_of_any_size(CaseMaker& maker, Random& random, Random& more) {
   for (std::size_t count : {2U, 3U, 4U, 7U}) {
     for (double t : {0.5, 0.25, 0.0, 1.0, random.unit()}) {
@@ -137,7 +194,8 @@ void make_bezier_patch_cases(CaseMaker& maker) {
   if (skeleton != BezierSkeleton::kMeshedit) {
     make_lines_of_four_points(maker, skeleton == BezierSkeleton::kCourse2020, random);
     add_surfaces(maker, random);
-    return add_teapot(maker, random);
+    add_teapot(maker, random);
+    return add_moved_nets(maker);
   }
   make_lines_of_any_size(maker, random, more);
   add_surfaces(maker, random);
@@ -147,6 +205,9 @@ void make_bezier_patch_cases(CaseMaker& maker) {
        {std::pair(1U, 4U), std::pair(4U, 1U), std::pair(1U, 1U)}) {
     add_surface(maker, "stress", "a random net", random_net(rows, columns, more), {kPlace});
   }
+  add_rows(maker);
+  add_sizes(maker);
+  add_moved_nets(maker);
 }
 
 void shrink_bezier_patch_case(CaseMaker& maker, const Case& failed) {

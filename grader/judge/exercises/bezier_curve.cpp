@@ -55,24 +55,32 @@ class StepsJudge {
     if (!leaves_input(given, step)) return false;
     if (has_count(given, step) && has_values(given, step)) return true;
     judgement_.findings.back().likely =
-        recognize(known_misconceptions(), predict(given, input_.t), step.result,
-                  task_.tolerance * extent(input_.points));
+        recognize(known_misconceptions(), predict(given, input_.t), step.result, allowed());
     return false;
   }
 
   /// The last point against the closed form of the whole curve.
   void judge_curve_point(const CurveStep& last) {
     const Point2 expected = bernstein(input_.points, input_.t);
-    const double size = extent(input_.points);
     const double error = distance(expected, last.result[0]);
-    if (error <= task_.tolerance * size) return;
+    if (error <= allowed()) return;
     report("curve-point", "repeated steps end at the point of the curve (its Bernstein form)",
            "the last point", point_text(expected),
-           point_text(last.result[0]) + ", off by " + error_text(error, size, task_.tolerance),
-           "evaluateStep");
+           point_text(last.result[0]) + ", off by " + off_by(error), "evaluateStep");
   }
 
  private:
+  /// How far a point may be off: also what computing in float gives far from the origin.
+  double allowed() const {
+    return task_.tolerance * extent(input_.points) +
+           float_rounding(largest_coordinate(input_.points));
+  }
+
+  std::string off_by(double error) const {
+    const double size = extent(input_.points);
+    return error_text(error, size, allowed() / size);
+  }
+
   void report(std::string rule, std::string meaning, std::string element, std::string expected,
               std::string actual, std::string look_at) {
     judgement_.verdict = Verdict::kFailed;
@@ -110,16 +118,14 @@ class StepsJudge {
 
   bool has_values(const std::vector<Point2>& given, const CurveStep& step) {
     const std::vector<Point2> expected = de_casteljau_step(given, input_.t);
-    const double size = extent(input_.points);
     const WorstPoint worst = worst_point(expected, step.result);
-    if (worst.error <= task_.tolerance * size) return true;
+    if (worst.error <= allowed()) return true;
     const std::string i = std::to_string(worst.index);
     report(
         "value", "point i of the result is (1 - t) points[i] + t points[i + 1]", "point " + i,
         point_text(expected[worst.index]) + " = (1 - t) " + point_text(given[worst.index]) +
             " + t " + point_text(given[worst.index + 1]) + " with t = " + number_text(input_.t),
-        point_text(step.result[worst.index]) + ", off by " +
-            error_text(worst.error, size, task_.tolerance),
+        point_text(step.result[worst.index]) + ", off by " + off_by(worst.error),
         "the formula for point " + i);
     return false;
   }

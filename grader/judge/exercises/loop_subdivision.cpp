@@ -7,6 +7,7 @@
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
+#include "grader/judge/local_scale.h"
 #include "grader/judge/loop_match.h"
 #include "grader/judge/loop_misconceptions.h"
 #include "grader/judge/options.h"
@@ -144,6 +145,7 @@ class LevelsJudge {
       const auto mesh = from_wire<MeshDump>(steps[i]);
       Level level = refine(meshes);
       level.surface = to_surface(level.by_variant.begin()->second);
+      scales_ = scales_of_level(old_, level.origins, task_.tolerance);
       if (!keeps_rules(mesh) || !has_counts(level, old_to_mine, mesh) ||
           !has_surface(level, old_to_mine, mesh) || !has_positions(level, mesh)) {
         keep_scene(level, mesh);
@@ -235,7 +237,7 @@ class LevelsJudge {
 
   bool has_surface(const Level& level, const std::vector<Ref>& old_to_mine,
                    const MeshDump& mesh) {
-    match_ = match_level(level, old_to_mine, mesh, allowed_error(level));
+    match_ = match_level(level, old_to_mine, mesh, scales_);
     if (!match_.empty()) return true;
     report_other_surface(level, old_to_mine, mesh);
     show_valences(level, old_to_mine, mesh);
@@ -275,44 +277,38 @@ class LevelsJudge {
     return "the new vertex of an old edge";
   }
 
-  double allowed_error(const Level& level) const {
-    return task_.tolerance * extent(level.by_variant.begin()->second.positions);
-  }
-
   bool has_positions(const Level& level, const MeshDump& mesh) {
     const std::vector<Point3> actual = matched_points(match_, mesh);
-    const double size = extent(level.by_variant.begin()->second.positions);
-    const double allowed = allowed_error(level);
-    const std::string& nearest = nearest_variant(level, actual, allowed);
+    const std::string& nearest = nearest_variant(level, actual);
     const std::vector<Point3>& expected = level.by_variant.at(nearest).positions;
     if (task_.measure) {
+      const double size = extent(level.by_variant.begin()->second.positions);
       judgement_.deviation = measure_deviation(expected, mesh, match_, size, task_.tolerance);
       judgement_.deviation.weights = nearest;
     }
     Conventions agreeing;
     for (const auto& [name, polygons] : level.by_variant) {
-      if (worst_point(polygons.positions, actual).error <= allowed) agreeing.insert(name);
+      if (are_within(polygons.positions, actual, scales_)) agreeing.insert(name);
     }
     if (!agreeing.empty()) {
       conventions_ = keep_agreeing(agreeing);
       return true;
     }
-    report_position(level, actual, size, worst_point(expected, actual), nearest);
+    report_position(level, actual, worst_by_scale(expected, actual, scales_), nearest);
     if (task_.explain) {
       Finding& finding = judgement_.findings.back();
-      finding.likely = likely_positions(level, actual, size);
-      finding.surface =
-          figure_of_positions(level.surface, expected, mesh, match_, allowed, size);
+      finding.likely = likely_positions(level, actual);
+      finding.surface = figure_of_positions(level.surface, expected, mesh, match_, scales_);
     }
     return false;
   }
 
   /// The allowed weights by which the fewest vertices are wrong; of these, the least wrong.
-  static const std::string& nearest_variant(const Level& level,
-                                            const std::vector<Point3>& actual, double allowed) {
+  const std::string& nearest_variant(const Level& level,
+                                     const std::vector<Point3>& actual) const {
     std::map<std::pair<std::size_t, double>, const std::string*> ranked;
     for (const auto& [name, polygons] : level.by_variant) {
-      ranked.emplace(std::pair(count_wrong(polygons, actual, allowed),
+      ranked.emplace(std::pair(count_wrong(polygons, actual, scales_),
                                worst_point(polygons.positions, actual).error),
                      &name);
     }
@@ -355,13 +351,15 @@ class LevelsJudge {
     return others;
   }
 
-  Misconceptions likely_positions(const Level& level, const std::vector<Point3>& actual,
-                                  double size) const {
+  Misconceptions likely_positions(const Level& level, const std::vector<Point3>& actual) const {
     RefinedStep step{old_, level.origins, {}, other_rules(level)};
     for (const auto& [name, polygons] : level.by_variant) {
       step.right.push_back({find_variant(name).vertex_rule, polygons.positions});
     }
-    return recognize_positions(step, actual, task_.tolerance * size);
+    const auto strictest = std::min_element(
+        scales_.begin(), scales_.end(),
+        [](const LocalScale& x, const LocalScale& y) { return x.allowed < y.allowed; });
+    return recognize_positions(step, actual, strictest->allowed);
   }
 
   Conventions keep_agreeing(const Conventions& agreeing) const {
@@ -372,20 +370,21 @@ class LevelsJudge {
   }
 
   /// By which rule a position is the expected one; empty for edge points, which have one rule.
-  std::string rule_text(const Level& level, std::size_t index, double allowed,
+  std::string rule_text(const Level& level, std::size_t index,
                         const std::string& variant) const {
     if (!level.origins[index].is_old()) return {};
     const Point3& expected = level.by_variant.at(variant).positions[index];
     std::set<VertexRule> rules;
     for (const auto& [name, polygons] : level.by_variant) {
-      if (distance(polygons.positions[index], expected) > allowed) return " by " + variant;
+      const double other = distance(polygons.positions[index], expected);
+      if (other > scales_[index].allowed) return " by " + variant;
       rules.insert(find_variant(name).vertex_rule);
     }
     return rules.size() > 1 ? " by either rule's weights" : " by " + variant;
   }
 
-  void report_position(const Level& level, const std::vector<Point3>& actual, double size,
-                       WorstPoint worst, const std::string& variant) {
+  void report_position(const Level& level, const std::vector<Point3>& actual, WorstPoint worst,
+                       const std::string& variant) {
     const std::size_t valence = valences(level.surface)[worst.index];
     const bool old = level.origins[worst.index].is_old();
     const std::string mine = vertex_name(match_[worst.index]);
@@ -393,9 +392,9 @@ class LevelsJudge {
            mine + ", " + origin_text(level, worst.index) +
                (old ? " with " + plural(valence, "edge") : ""),
            point_text(level.by_variant.at(variant).positions[worst.index]) +
-               rule_text(level, worst.index, task_.tolerance * size, variant),
+               rule_text(level, worst.index, variant),
            point_text(actual[worst.index]) + ", off by " +
-               error_text(worst.error, size, task_.tolerance),
+               error_text(worst.error, scales_[worst.index]),
            std::string(old ? "the weights of old vertices" : "the weights of edge points") +
                ", from positions before the step: " +
                formula(old, on_boundary(level.surface)[worst.index]));
@@ -405,10 +404,11 @@ class LevelsJudge {
   Conventions& conventions_;
   CaseJudgement& judgement_;
   std::string where_;
-  PolygonMesh old_;         ///< the mesh before the step, expected vertices
-  MeshDump before_;         ///< the same as the student has it
-  Ref first_marked_ = 0;    ///< vertices from here on did not exist before the first level
-  std::vector<Ref> match_;  ///< expected vertex -> the student's
+  PolygonMesh old_;       ///< the mesh before the step, expected vertices
+  MeshDump before_;       ///< the same as the student has it
+  Ref first_marked_ = 0;  ///< vertices from here on did not exist before the first level
+  std::vector<LocalScale> scales_;  ///< of the expected vertices
+  std::vector<Ref> match_;          ///< expected vertex -> the student's
 };
 
 }  // namespace
