@@ -160,7 +160,10 @@ int conclude(const ClassResults& results, const BatchCommandOptions& options, bo
     std::cout << "stopped; the same command goes on from here\n";
     return kInterrupted;
   }
-  if (errors != 0) return kGraderFailed;
+  if (errors != 0) {
+    std::cout << "the same command tries again where the grader failed\n";
+    return kGraderFailed;
+  }
   return ungradable != 0 ? kSomeUngradable : 0;
 }
 
@@ -251,6 +254,10 @@ int run(const BatchCommandOptions& options, const Assignment& assignment, const 
   const bool complete =
       options.cluster.slurm ? run_divided(cluster) : run_batch(roster, grading, folder, how);
   progress.finish();
+  if (progress.again() != 0) {
+    std::cout << plural(progress.again(), "hand-in")
+              << " graded once more after an error of the grader\n";
+  }
   const ClassResults results =
       collect_results(roster, assignment, options.exercises, folder.store());
   write_class_files(results, folder.path());

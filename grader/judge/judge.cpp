@@ -9,6 +9,7 @@
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
 #include "grader/judge/findings.h"
+#include "grader/judge/library_check.h"
 #include "meshedit/fault.h"
 
 namespace meshgrade {
@@ -159,7 +160,7 @@ void tell_exit(const Outcome& outcome, Finding& finding) {
       "the code ended the whole program (exit status " + std::to_string(outcome.code) + ")";
 }
 
-/// All endings but kDone and kFault.
+/// All endings but kDone, kFault and kLibraryCheck.
 void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
   Finding finding;
   finding.stack = outcome.stack;
@@ -292,6 +293,10 @@ CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
   const bool wrong_before = !judgement.findings.empty();
   if (outcome.ending == Ending::kFault) {
     judge_fault(judge, outcome, judgement);
+    if (!wrong_before) show_stop(judge, task, judgement);
+  } else if (outcome.ending == Ending::kLibraryCheck) {
+    judgement.verdict = Verdict::kCrashed;
+    judgement.findings.push_back(library_check_finding(outcome));
     if (!wrong_before) show_stop(judge, task, judgement);
   } else if (outcome.ending != Ending::kDone) {
     judge_ending(outcome, judgement);

@@ -5,6 +5,7 @@
 
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
+#include "grader/judge/library_check.h"
 #include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
 
@@ -191,6 +192,8 @@ MeshSession::Normals MeshSession::normals() const {
   if (outcome.ending == Ending::kFault) {
     const meshedit::FaultKind kind{outcome.fault_kind};
     result.told.note = outcome.subject + " " + meshedit::describe(kind);
+  } else if (outcome.ending == Ending::kLibraryCheck) {
+    result.told.note = "Vertex::normal was stopped: " + library_check_finding(outcome).actual;
   } else if (outcome.ending == Ending::kOutOfTime) {
     result.told.note = "Vertex::normal does not come to its end";
   }

@@ -204,9 +204,21 @@ TEST(BatchProgress, TheBarCountsAndTellsTheTimeLeft) {
 TEST(BatchProgress, ALineSaysWhoAndWhat) {
   const Roster roster = roster_of(2);
   BatchProgress progress(roster, 2, false);
-  BatchStep step{1, ResultStatus::kGraderError, false, 0.0, 0.0, "its process died"};
+  BatchStep step{1, ResultStatus::kUngradable, false, false, 0.0, 0.0, "no C++ source file"};
   progress.count(step);
-  EXPECT_EQ(progress.line(step), "1/2 student1: grader error (its process died)");
+  EXPECT_EQ(progress.line(step), "1/2 student1: ungradable (no C++ source file)");
+}
+
+TEST(BatchProgress, ASecondTryIsToldAndCounted) {
+  const Roster roster = roster_of(2);
+  BatchProgress progress(roster, 2, false);
+  progress.count({0, ResultStatus::kGraded, false, true, 7.0, 10.0, "its process died"});
+  const BatchStep failed{1, ResultStatus::kGraderError, false, true, 0.0, 0.0, "no memory"};
+  progress.count(failed);
+  EXPECT_EQ(progress.line(failed),
+            "2/2 student1: grader error (at the second try, after an error of the grader: no "
+            "memory)");
+  EXPECT_EQ(progress.again(), 2U);
 }
 
 }  // namespace
