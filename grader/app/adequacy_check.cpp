@@ -32,9 +32,13 @@ Assignment strict_assignment() {
 
 std::vector<Original> find_originals(const Assignment& assignment) {
   const std::filesystem::path source = source_folder();
-  return {{"reference", find_submission(source / "reference", assignment.submission)},
-          {"textbook",
-           find_submission(source / "tests" / "mutants" / "textbook", assignment.submission)}};
+  std::vector<Original> originals{
+      {"reference", find_submission(source / "reference", assignment.submission)}};
+  for (const char* style : {"textbook", "singles", "turned", "arrays", "floats"}) {
+    originals.push_back(
+        {style, find_submission(source / "tests" / "mutants" / style, assignment.submission)});
+  }
+  return originals;
 }
 
 void show_progress(const std::string& what, std::size_t done, std::size_t count) {

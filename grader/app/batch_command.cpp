@@ -84,17 +84,20 @@ void list_roster(const Roster& roster) {
     std::cout << "  " << left.what << ": " << left.why << "\n";
 }
 
+/// Beside report.txt, which names the pictures by their way from there.
+constexpr const char* kStudentFigures = "figures";
+
 /// The pictures that the student may see, and with `html` the page that shows them; those of an
 /// earlier grading go.
 void add_student_files(Report& report, const fs::path& folder, bool html) {
-  const fs::path pictures = folder / "figures";
+  const fs::path pictures = folder / kStudentFigures;
   std::error_code ignored;
   fs::remove_all(pictures, ignored);
   fs::remove(folder / kStudentPage, ignored);
   Report seen = student_view(report);
   if (html) write_file_safely(folder / kStudentPage, to_html(seen, viewer_page()));
-  make_figure_folder(pictures);
-  if (write_figures(seen, pictures) == 0) fs::remove(pictures, ignored);
+  const FigureFolder figures(pictures);
+  write_figures(seen, pictures);
   for (std::size_t i = 0; i < report.exercises.size(); ++i) {
     for (std::size_t j = 0; j < report.exercises[i].cases.size(); ++j)
       report.exercises[i].cases[j].figure = seen.exercises[i].cases[j].figure;
@@ -111,7 +114,11 @@ Grading grading_of(const Assignment& assignment, const BatchCommandOptions& opti
   grading.add_files = [html = options.html](Report& report, const fs::path& folder) {
     add_student_files(report, folder, html);
   };
-  grading.to_text = [](const Report& report) { return to_terminal(student_view(report), {}); };
+  grading.to_text = [](const Report& report) {
+    TerminalStyle style;
+    style.figures = kStudentFigures;
+    return to_terminal(student_view(report), style);
+  };
   Digest identity;
   identity.add(grader_identity(home))
       .add(read_whole_file(or_standard_assignment(options.assignment)))
@@ -153,7 +160,10 @@ int conclude(const ClassResults& results, const BatchCommandOptions& options, bo
     std::cout << "stopped; the same command goes on from here\n";
     return kInterrupted;
   }
-  if (errors != 0) return kGraderFailed;
+  if (errors != 0) {
+    std::cout << "the same command tries again where the grader failed\n";
+    return kGraderFailed;
+  }
   return ungradable != 0 ? kSomeUngradable : 0;
 }
 
@@ -244,6 +254,10 @@ int run(const BatchCommandOptions& options, const Assignment& assignment, const 
   const bool complete =
       options.cluster.slurm ? run_divided(cluster) : run_batch(roster, grading, folder, how);
   progress.finish();
+  if (progress.again() != 0) {
+    std::cout << plural(progress.again(), "hand-in")
+              << " graded once more after an error of the grader\n";
+  }
   const ClassResults results =
       collect_results(roster, assignment, options.exercises, folder.store());
   write_class_files(results, folder.path());

@@ -32,6 +32,7 @@ std::string duration_text(double seconds) {
 void BatchProgress::count(const BatchStep& step) {
   ++done_;
   kept_ += step.kept ? 1 : 0;
+  again_ += step.again ? 1 : 0;
   ++kinds_[kind_of(step)];
 }
 
@@ -66,7 +67,11 @@ std::string BatchProgress::line(const BatchStep& step) const {
     text += status_name(step.status);
   }
   if (step.kept) text += " (unchanged)";
-  if (!step.reason.empty()) text += " (" + step.reason + ")";
+  if (step.again) {
+    text += " (at the second try, after an error of the grader: " + step.reason + ")";
+  } else if (!step.reason.empty()) {
+    text += " (" + step.reason + ")";
+  }
   return text;
 }
 
@@ -76,8 +81,8 @@ void BatchProgress::show(const BatchStep& step) {
     std::cerr << line(step) << "\n" << std::flush;
     return;
   }
-  const bool is_news =
-      step.status == ResultStatus::kUngradable || step.status == ResultStatus::kGraderError;
+  const bool is_news = step.again || step.status == ResultStatus::kUngradable ||
+                       step.status == ResultStatus::kGraderError;
   std::cerr << "\r\033[K";
   if (is_news) std::cerr << line(step) << "\n";
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;

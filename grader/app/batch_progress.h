@@ -26,12 +26,16 @@ class BatchProgress {
 
   void count(const BatchStep& step);
 
+  /// How many were graded once more after an error of the grader.
+  std::size_t again() const { return again_; }
+
  private:
   const Roster& roster_;
   std::size_t count_;
   bool terminal_;
   std::size_t done_ = 0;
   std::size_t kept_ = 0;
+  std::size_t again_ = 0;
   std::map<std::string, std::size_t> kinds_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

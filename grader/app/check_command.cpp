@@ -58,7 +58,7 @@ int check(const CheckOptions& options) {
   const Home home = find_home();
   if (options.require_sandbox) require_sandbox(home.sandbox);
   const Progress progress = terminal_progress();
-  if (!options.figures.empty()) make_figure_folder(options.figures);
+  const FigureFolder figures(options.figures);
   Report report = grade(assignment, submission, home, options.exercises, progress);
   // The sanitizers ask for more rights than a strict sandbox leaves.
   if (!options.require_sandbox) {

@@ -25,8 +25,11 @@ void blame_left_out_functions(const Assignment& assignment, const Build& build,
                               const ExerciseJudge& judge, CaseJudgement& judgement) {
   for (const BuiltFile& file : build.files) {
     for (const LeftOut& left : file.left_out) {
-      const std::string why = "does not compile (" + file.name + ":" +
-                              std::to_string(left.line) + ": " + left.message + ")";
+      const std::string what = left.not_judged
+                                   ? "is not judged, since it uses what the grader lacks ("
+                                   : "does not compile (";
+      const std::string why =
+          what + file.name + ":" + std::to_string(left.line) + ": " + left.message + ")";
       if (judgement.note == left.function + " is not implemented") {
         judgement.note = left.function + " " + why;
       } else if (judgement.note == "it calls " + left.function + ", which is not implemented") {
@@ -34,8 +37,11 @@ void blame_left_out_functions(const Assignment& assignment, const Build& build,
       } else {
         continue;
       }
-      if (holds(judge.functions, left.function) ||
-          !is_exercise_function(assignment, left.function)) {
+      if (left.not_judged) {
+        judgement.verdict = Verdict::kNotJudged;
+        judgement.excused = true;
+      } else if (holds(judge.functions, left.function) ||
+                 !is_exercise_function(assignment, left.function)) {
         judgement.verdict = Verdict::kNotCompiled;
       }
       return;

@@ -1,6 +1,8 @@
 #include "grader/app/exercise_run.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "grader/app/compile_blame.h"
 #include "grader/app/handle_references.h"
@@ -139,11 +141,41 @@ bool has_failure(const JudgedExercise& exercise) {
   });
 }
 
+namespace {
+
+bool is_right(const JudgedCase& judged) {
+  return judged.judgement.verdict == Verdict::kPassed || judged.judgement.excused;
+}
+
+}  // namespace
+
 bool is_all_right(const JudgedExercise& exercise) {
-  return std::all_of(exercise.cases.begin(), exercise.cases.end(), [](const JudgedCase& c) {
-    return c.judgement.verdict == Verdict::kPassed || c.judgement.excused;
+  return std::all_of(exercise.cases.begin(), exercise.cases.end(), is_right);
+}
+
+bool is_required_right(const JudgedExercise& exercise) {
+  std::set<std::string> extra;
+  for (const Group& group : exercise.rubric->groups) {
+    if (group.extra_credit) extra.insert(group.name);
+  }
+  return std::all_of(exercise.cases.begin(), exercise.cases.end(), [&](const JudgedCase& c) {
+    return is_right(c) || extra.count(c.asked.group) != 0;
   });
 }
+
+namespace {
+
+/// What there is to say of right answers, once each.
+void note_right_answers(JudgedExercise& judged) {
+  for (const JudgedCase& c : judged.cases) {
+    const std::string& note = c.judgement.note;
+    if (c.judgement.verdict != Verdict::kPassed || note.empty()) continue;
+    if (std::find(judged.notes.begin(), judged.notes.end(), note) == judged.notes.end())
+      judged.notes.push_back(note);
+  }
+}
+
+}  // namespace
 
 JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
                               const Candidate& candidate, const ExerciseRubric& rubric,
@@ -170,6 +202,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
   tell_apart(told);
   tell_apart_by_source(candidate.submission, judge.functions, judged);
   name_static_variable(candidate.submission, judge.functions, judged);
+  note_right_answers(judged);
   note_handle_references(candidate.submission, judge.functions, judged);
   if (conventions.size() == 1 && !has_failure(judged)) {
     judged.notes.push_back("found: " + *conventions.begin());

@@ -44,4 +44,7 @@ bool has_failure(const JudgedExercise& exercise);
 /// Whether every case is passed, but for those that do not count.
 bool is_all_right(const JudgedExercise& exercise);
 
+/// The same of the cases in groups that are no extra credit.
+bool is_required_right(const JudgedExercise& exercise);
+
 }  // namespace meshgrade

@@ -29,12 +29,24 @@ std::string plain_word(const std::string& case_id, std::set<std::string>& taken)
 
 }  // namespace
 
-void make_figure_folder(const std::filesystem::path& folder) {
+FigureFolder::FigureFolder(const std::filesystem::path& folder) {
   std::error_code error;
+  for (std::filesystem::path part = folder; !part.empty() && part != part.parent_path();
+       part = part.parent_path()) {
+    if (std::filesystem::exists(part, error)) break;
+    made_.push_back(part);
+  }
+  if (folder.empty()) return;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder, error)) {
     throw UserError(folder.string() + ": cannot be made a folder for the pictures");
   }
+}
+
+FigureFolder::~FigureFolder() {
+  std::error_code not_empty;
+  for (const std::filesystem::path& folder : made_)
+    std::filesystem::remove(folder, not_empty);
 }
 
 std::size_t write_figures(Report& report, const std::filesystem::path& folder) {

@@ -1,14 +1,26 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "grader/report/report.h"
 
 namespace meshgrade {
 
-/// Makes the folder for pictures if it is missing.
-/// @throws UserError if that is not possible
-void make_figure_folder(const std::filesystem::path& folder);
+/// A folder for pictures, with those above it. What was made and is still empty in the end goes
+/// again; a folder that was there before stays.
+class FigureFolder {
+ public:
+  /// No folder for an empty path.
+  /// @throws UserError if it cannot be made
+  explicit FigureFolder(const std::filesystem::path& folder);
+  ~FigureFolder();
+  FigureFolder(const FigureFolder&) = delete;
+  FigureFolder& operator=(const FigureFolder&) = delete;
+
+ private:
+  std::vector<std::filesystem::path> made_;  ///< the innermost first
+};
 
 /// Draws every case that there is a picture of, each to an SVG file of its own in `folder`. A
 /// file of the same name is written over; nothing else is touched. CaseReport::figure gets the

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "grader/app/compile_blame.h"
+#include "grader/app/dialect_fit.h"
 #include "grader/app/exercise_run.h"
 #include "grader/app/right_callees.h"
 #include "grader/app/second_run.h"
@@ -72,8 +73,9 @@ std::vector<const ExerciseRubric*> choose_exercises(const Assignment& assignment
   return chosen;
 }
 
-Report grade(const Assignment& assignment, const Submission& submission, const Home& home,
+Report grade(const Assignment& given, const Submission& submission, const Home& home,
              const std::vector<std::string>& exercises, const Progress& progress) {
+  const Assignment assignment = fit_to_dialect(given, submission.dialect);
   const std::vector<const ExerciseRubric*> chosen = choose_exercises(assignment, exercises);
   progress("compiling " + plural(submission.sources.size(), "file"));
   const Build build = build_submission(submission, home, assignment.limits);
@@ -91,14 +93,16 @@ Report grade(const Assignment& assignment, const Submission& submission, const H
   return make_report(assignment, submission, build, judged);
 }
 
-Report grade_case(const Assignment& assignment, const Submission& submission, const Home& home,
+Report grade_case(const Assignment& given, const Submission& submission, const Home& home,
                   const Build& build, const Case& asked) {
+  const Assignment assignment = fit_to_dialect(given, submission.dialect);
   const ExerciseRun run = run_case(assignment, home, {submission, build}, asked);
   return make_report(assignment, submission, build, {run.judged});
 }
 
-Report grade_case_fully(const Assignment& assignment, const Submission& submission,
-                        const Home& home, const Build& build, const Case& asked) {
+Report grade_case_fully(const Assignment& given, const Submission& submission, const Home& home,
+                        const Build& build, const Case& asked) {
+  const Assignment assignment = fit_to_dialect(given, submission.dialect);
   const Candidate candidate{submission, build};
   const ExerciseRubric& rubric = *assignment.find(asked.exercise);
   ExerciseRun run = run_case(assignment, home, candidate, asked);
@@ -110,8 +114,9 @@ Report grade_case_fully(const Assignment& assignment, const Submission& submissi
   return make_report(assignment, submission, build, {run.judged});
 }
 
-Case shown_case(const Assignment& assignment, const Submission& submission, const Home& home,
+Case shown_case(const Assignment& given, const Submission& submission, const Home& home,
                 const Build& build, const Case& asked) {
+  const Assignment assignment = fit_to_dialect(given, submission.dialect);
   return run_case(assignment, home, {submission, build}, asked).judged.cases.at(0).asked;
 }
 

@@ -26,6 +26,7 @@
 #include "grader/app/subdivide_command.h"
 #include "grader/app/view_command.h"
 #include "grader/app/watch_command.h"
+#include "grader/app/writeup_command.h"
 #include "grader/base/errors.h"
 #include "grader/base/interrupt.h"
 #include "grader/base/text.h"
@@ -58,6 +59,7 @@ int run(int argc, char** argv) {
   meshgrade::add_diff_command(app, exit_code);
   meshgrade::add_similarity_command(app, exit_code);
   meshgrade::add_view_command(app, exit_code);
+  meshgrade::add_writeup_command(app, exit_code);
   meshgrade::add_watch_command(app, exit_code);
   meshgrade::add_replay_command(app, exit_code);
   meshgrade::add_hint_command(app, exit_code);

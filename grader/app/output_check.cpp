@@ -64,8 +64,8 @@ void check_outputs(const std::vector<Output>& outputs, const std::vector<fs::pat
 
 std::vector<fs::path> files_of(const Submission& submission) {
   std::vector<fs::path> files;
-  for (const auto* list :
-       {&submission.sources, &submission.headers, &submission.course_headers}) {
+  for (const auto* list : {&submission.sources, &submission.headers, &submission.course_sources,
+                           &submission.course_headers}) {
     for (const SourceFile& file : *list)
       files.push_back(submission.folder / file.name);
   }

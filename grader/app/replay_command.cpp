@@ -7,6 +7,7 @@
 #include "grader/app/console.h"
 #include "grader/app/context.h"
 #include "grader/app/debugger.h"
+#include "grader/app/dialect_fit.h"
 #include "grader/app/figure_files.h"
 #include "grader/app/grading.h"
 #include "grader/app/progress_store.h"
@@ -41,9 +42,10 @@ struct Replay {
 Replay prepare(const ReplayOptions& options) {
   Replay replay;
   replay.assignment = load_assignment(options.assignment);
-  replay.asked = find_case(replay.assignment, find_home().meshes, options.case_id);
   replay.submission = find_submission(given_or_last(options.submission, personal_store()),
                                       replay.assignment.submission);
+  replay.assignment = fit_to_dialect(replay.assignment, replay.submission.dialect);
+  replay.asked = find_case(replay.assignment, find_home().meshes, options.case_id);
   return replay;
 }
 
@@ -115,7 +117,7 @@ int replay_in_debugger(Replay replay) {
 }
 
 int replay(const ReplayOptions& options) {
-  if (!options.figures.empty()) make_figure_folder(options.figures);
+  const FigureFolder figures(options.figures);
   Replay replay = prepare(options);
   if (options.debug) return replay_in_debugger(std::move(replay));
   if (options.sanitize) return replay_under_sanitizers(replay, options);

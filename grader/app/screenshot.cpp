@@ -6,11 +6,11 @@
 
 #include "grader/app/context.h"
 #include "grader/base/errors.h"
-#include "grader/base/safe_file.h"
 #include "grader/base/text.h"
-#include "grader/view/browser.h"
 #include "grader/view/deviation_scale.h"
+#include "grader/view/curve_svg.h"
 #include "grader/view/picture.h"
+#include "grader/view/picture_file.h"
 
 namespace meshgrade {
 namespace {
@@ -44,7 +44,7 @@ void say(const CaseReport& told, const std::string& step) {
     const std::pair<const char*, const std::string*> parts[] = {
         {": at ", &finding.element},
         {", expected ", &finding.expected},
-        {", came ", &finding.actual}};
+        {", yours ", &finding.actual}};
     for (const auto& [before, part] : parts) {
       if (!part->empty()) std::cout << before << printable(*part);
     }
@@ -90,10 +90,15 @@ void say_comparison(const MeshSession& session) {
   }
 }
 
-void write_svg(const MeshSession& session, const PictureRequest& request, const fs::path& file,
-               const std::string& why) {
-  write_file_safely(file, picture_svg(session, request));
-  std::cout << file.string() << ": drawn by the grader itself, as SVG" << why << "\n";
+/// The student's normals of what is shown, if they are asked for; says why there are none.
+std::vector<Point3> normals_for(const MeshSession& session, const PictureRequest& request) {
+  if (!request.smooth && !request.normals) return {};
+  const MeshSession::Normals asked = session.normals();
+  if (asked.normals.empty()) {
+    std::cout << "No normals: " << printable(asked.told.note) << "\n";
+    return {};
+  }
+  return session.normals_by_number(asked);
 }
 
 }  // namespace
@@ -109,6 +114,8 @@ PictureRequest read_request(const ScreenshotOptions& options) {
   request.dark = options.dark;
   request.levels = options.levels;
   request.compare = options.compare;
+  request.smooth = options.smooth;
+  request.normals = options.normals;
   return request;
 }
 
@@ -116,28 +123,35 @@ int take_screenshot(MeshSession& session, const PictureRequest& request, const f
   const bool all_done = run_steps(session, request.steps);
   if (request.compare) say_comparison(session);
   std::cout << picture_title(session) << "\n";
-  const int exit_code = all_done ? 0 : 1;
-  if (out.extension() == ".svg") {
-    write_svg(session, request, out, "");
-    return exit_code;
-  }
-  const fs::path instead = fs::path(out).replace_extension(".svg");
-  const fs::path browser = find_browser();
-  if (browser.empty()) {
-    write_svg(
-        session, request, instead,
-        ", because no browser is on the PATH (chromium, chromium-browser, google-chrome)");
-    return exit_code;
-  }
-  const Photograph taken = photograph(browser, picture_page(session, request, viewer_page()),
-                                      request.size, request.dark);
-  if (taken.png.empty()) {
-    write_svg(session, request, instead, ", because " + taken.why);
-    return exit_code;
-  }
-  write_file_safely(out, taken.png);
-  std::cout << out.string() << ": taken by " << browser.string() << "\n";
-  return exit_code;
+  const std::vector<Point3> normals = normals_for(session, request);
+  const auto page = [&] { return picture_page(session, request, normals, viewer_page()); };
+  const auto svg = [&] { return picture_svg(session, request, normals); };
+  std::cout << write_picture(out, {page, svg}, request).text() << "\n";
+  return all_done ? 0 : 1;
+}
+
+int take_curve(const StudentProgram& program, const std::vector<Point2>& points,
+               const ScreenshotOptions& options, const std::string& name) {
+  const PictureRequest request = read_request(options);
+  const CurveLook look = look_at_curve(program, points, options.t);
+  say(look.told, "evaluateStep at t = " + number_text(options.t));
+  const auto levels = options.levels_shown < 0 ? points.size()
+                                               : static_cast<std::size_t>(options.levels_shown);
+  const auto svg = [&] { return curve_svg(look, levels, request, printable(name)); };
+  std::cout << write_picture(options.out, {[&] { return svg_page(svg()); }, svg}, request).text()
+            << "\n";
+  return look.told.verdict == Verdict::kPassed ? 0 : 1;
+}
+
+int take_surface(const StudentProgram& program, const std::vector<ControlNet>& nets,
+                 const ScreenshotOptions& options, const std::string& name) {
+  const PictureRequest request = read_request(options);
+  const PatchLook look = look_at_patches(program, nets, options.density);
+  say(look.told, "evaluate");
+  const auto svg = [&] { return patch_svg(look, request, name); };
+  std::cout << write_picture(options.out, {[&] { return svg_page(svg()); }, svg}, request).text()
+            << "\n";
+  return look.told.verdict == Verdict::kPassed ? 0 : 1;
 }
 
 }  // namespace meshgrade

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "grader/view/bezier_view.h"
 #include "grader/view/mesh_session.h"
 #include "grader/view/picture_request.h"
 
@@ -19,12 +20,24 @@ struct ScreenshotOptions {
   bool dark = false;
   bool levels = false;
   bool compare = false;
+  bool smooth = false;
+  bool normals = false;
+  double t = 0.5;         ///< of a curve
+  int levels_shown = -1;  ///< of de Casteljau's algorithm; below 0: all
+  int density = 16;       ///< of a surface
 };
 
 /// What the options ask for.
 /// @throws UserError if one of them cannot be read, if the file is neither .png nor .svg, or if
 ///         it could not be written anyway
 PictureRequest read_request(const ScreenshotOptions& options);
+
+/// Pictures of curves and surfaces by a program that is built, as take_screenshot.
+/// @return 0, or 1 if the judge finds something wrong
+int take_curve(const StudentProgram& program, const std::vector<Point2>& points,
+               const ScreenshotOptions& options, const std::string& name);
+int take_surface(const StudentProgram& program, const std::vector<ControlNet>& nets,
+                 const ScreenshotOptions& options, const std::string& name);
 
 /// Runs the steps of the request in a session that is built, and writes the picture. Says on
 /// stdout what was drawn, how, and what the judge says of each step.

@@ -16,33 +16,13 @@ std::size_t passed_cases(const JudgedExercise& exercise) {
       [](const JudgedCase& c) { return c.judgement.verdict == Verdict::kPassed; }));
 }
 
-std::string pass_instead_of(const JudgedExercise& second, std::size_t first_passed) {
-  return std::to_string(passed_cases(second)) + " of " + plural(second.cases.size(), "case") +
-         " pass, instead of " + std::to_string(first_passed);
-}
-
-/// The notes of a run in which the stand-ins were linked.
-std::vector<std::string> notes_of_second(const std::string& causes, std::size_t first_passed,
-                                         const JudgedExercise& second) {
-  std::vector<std::string> notes{
-      "so it was run again with a right solution of " + causes +
-      " in place of yours: " + pass_instead_of(second, first_passed) + "; these points count"};
-  notes.insert(notes.end(), second.notes.begin(), second.notes.end());
-  return notes;
-}
-
-/// Puts the cases that did not pass through the worker with stand-ins, and judges all anew.
-JudgedExercise judge_second(const Assignment& assignment, const Home& home,
-                            const Candidate& candidate, const ExerciseRun& first) {
-  std::vector<Outcome> outcomes = run_cases(candidate.build, pointers_to(first.cases),
-                                            assignment.limits, Company::kTogether);
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const bool passed = first.judged.cases[i].judgement.verdict == Verdict::kPassed;
-    if (passed) outcomes[i] = first.outcomes[i];
-  }
-  return judge_exercise(assignment, home, candidate, *first.judged.rubric, first.cases,
-                        outcomes);
-}
+/// What a second run is about.
+struct Question {
+  const Assignment& assignment;
+  const Home& home;
+  const Submission& submission;
+  const ExerciseRun& first;
+};
 
 /// Whether this one case passes, in a process of its own.
 bool passes_alone(const Assignment& assignment, const Home& home, const Candidate& candidate,
@@ -51,6 +31,35 @@ bool passes_alone(const Assignment& assignment, const Home& home, const Candidat
       run_cases(candidate.build, {&asked}, assignment.limits, Company::kTogether);
   return passed_cases(judge_exercise(assignment, home, candidate, rubric, {asked}, outcomes)) ==
          1;
+}
+
+/// Whether the outcome of a case is right, whatever conventions other cases follow.
+bool is_right_outcome(const Question& question, const Case& asked, const Outcome& outcome) {
+  const ExerciseRubric& rubric = *question.first.judged.rubric;
+  const ExerciseJudge judge = find_exercise_judge(rubric);
+  Conventions conventions = judge.conventions;
+  return judge_case(judge, {asked, outcome, rubric, question.assignment.tolerance, false},
+                    conventions)
+             .verdict == Verdict::kPassed;
+}
+
+/// Puts the cases that did not pass through the worker with stand-ins, and judges all anew.
+/// Those that did pass count as they came; but one that passes alone with the same stand-ins,
+/// and fails after other cases, does so by what the student's function keeps from call to call.
+JudgedExercise judge_second(const Question& question, const Candidate& candidate) {
+  const ExerciseRun& first = question.first;
+  std::vector<Outcome> outcomes = run_cases(candidate.build, pointers_to(first.cases),
+                                            question.assignment.limits, Company::kTogether);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Case& asked = first.cases[i];
+    if (first.judged.cases[i].judgement.verdict != Verdict::kPassed) continue;
+    const bool keeps_state = !is_right_outcome(question, asked, outcomes[i]) &&
+                             passes_alone(question.assignment, question.home, candidate,
+                                          *first.judged.rubric, asked);
+    if (!keeps_state) outcomes[i] = first.outcomes[i];
+  }
+  return judge_exercise(question.assignment, question.home, candidate, *first.judged.rubric,
+                        first.cases, outcomes);
 }
 
 /// A function can do all that its own exercise asks, and not what its caller relies on: which
@@ -97,24 +106,129 @@ const char* state_of(const JudgedExercise& exercise) {
   return any(is_passed) ? "is not written for all cases" : "is not written yet";
 }
 
-}  // namespace
+/// A second run: what the judge says, and by which of the right solutions.
+struct SecondRun {
+  JudgedExercise judged;
+  std::string meaning;  ///< OpenChoice::meaning; empty for the reference as it is
+};
 
-void run_with_stand_ins(const Assignment& assignment, const Home& home,
-                        const Candidate& candidate, const std::vector<JudgedExercise>& needed,
-                        ExerciseRun& run) {
-  std::vector<std::string> wrong;
+/// One more right solution in the place of one of the stand-ins.
+struct OtherStandIns {
   std::vector<StandIn> stand_ins;
-  for (const JudgedExercise& exercise : needed) {
-    const ExerciseRubric& rubric = *exercise.rubric;
-    if (is_all_right(exercise)) continue;
-    run.judged.notes.push_back("your own " + rubric.name + " is part of this and " +
-                               state_of(exercise));
-    wrong.push_back(rubric.name);
-    stand_ins.push_back({rubric.name, find_exercise_judge(rubric).functions});
+  std::string meaning;
+};
+
+std::vector<OtherStandIns> other_stand_ins(const Assignment& assignment,
+                                           const std::vector<StandIn>& stand_ins) {
+  std::vector<OtherStandIns> others;
+  for (std::size_t i = 0; i < stand_ins.size(); ++i) {
+    const ExerciseRubric& rubric = *assignment.find(stand_ins[i].exercise);
+    for (const OpenChoice& choice : find_exercise_judge(rubric).choices) {
+      OtherStandIns other{stand_ins, choice.meaning};
+      other.stand_ins[i].was = choice.was;
+      other.stand_ins[i].becomes = choice.becomes;
+      others.push_back(std::move(other));
+    }
   }
-  if (stand_ins.empty())
-    return tell_what_it_relies_on(assignment, home, candidate, needed, run);
-  const std::string causes = join(wrong, " and ");
+  return others;
+}
+
+/// The case that a right solution with other choices may save: the first that ran and failed.
+const Case* first_failed(const Question& question, const JudgedExercise& judged) {
+  for (std::size_t i = 0; i < judged.cases.size(); ++i) {
+    if (!judged.cases[i].judgement.findings.empty()) return &question.first.cases[i];
+  }
+  return nullptr;
+}
+
+/// What the contract of the stand-ins leaves open may be what the student's code relies on: it
+/// is right if it is so with one of them. Only the first failing case is asked each time.
+void try_other_choices(const Question& question, const std::vector<StandIn>& stand_ins,
+                       SecondRun& best) {
+  const Case* failed = first_failed(question, best.judged);
+  if (failed == nullptr) return;
+  for (const OtherStandIns& other : other_stand_ins(question.assignment, stand_ins)) {
+    const auto changed = with_stand_ins(question.submission, question.home, other.stand_ins);
+    if (!changed) continue;
+    const Build build = build_submission(*changed, question.home, question.assignment.limits);
+    const Candidate candidate{*changed, build};
+    if (!passes_alone(question.assignment, question.home, candidate,
+                      *question.first.judged.rubric, *failed)) {
+      continue;
+    }
+    JudgedExercise judged = judge_second(question, candidate);
+    if (passed_cases(judged) <= passed_cases(best.judged)) continue;
+    best = {std::move(judged), other.meaning};
+    if (is_all_right(best.judged)) return;
+  }
+}
+
+/// Takes from the second run the cases that pass, and those that the first run says nothing
+/// about. What the first run found stays where the case fails with a right solution, too.
+/// @return how many cases were taken
+std::size_t take_over(JudgedExercise second, JudgedExercise& first) {
+  std::size_t taken = 0;
+  for (std::size_t i = 0; i < first.cases.size(); ++i) {
+    JudgedCase& mine = first.cases[i];
+    JudgedCase& other = second.cases[i];
+    const bool was_right = mine.judgement.verdict == Verdict::kPassed;
+    const bool is_right = other.judgement.verdict == Verdict::kPassed;
+    const bool says_nothing =
+        mine.judgement.findings.empty() && !other.judgement.findings.empty();
+    if (was_right ? is_right : !is_right && !says_nothing) continue;
+    mine = std::move(other);
+    ++taken;
+  }
+  return taken;
+}
+
+/// "v3, an old vertex with 5 edges: expected ..., not ...": what is left when nothing of the
+/// student's own flip and split takes part.
+void tell_what_still_fails(const JudgedExercise& second, const std::string& causes,
+                           std::vector<std::string>& notes) {
+  for (const JudgedCase& c : second.cases) {
+    if (c.judgement.findings.empty()) continue;
+    const Finding& finding = c.judgement.findings[0];
+    notes.push_back(c.asked.id() + " fails with a right solution of " + causes +
+                    ", too: " + finding.meaning +
+                    (finding.element.empty() ? "" : "; look at " + finding.element) +
+                    (finding.actual.empty() ? "" : ": " + finding.actual));
+    return;
+  }
+}
+
+void add_notes(const SecondRun& second, const std::string& causes, std::size_t first_passed,
+               JudgedExercise& judged) {
+  const std::string which = second.meaning.empty() ? "" : " (" + second.meaning + ")";
+  judged.notes.push_back("so it was run again with a right solution of " + causes + which +
+                         " in place of yours: " + std::to_string(passed_cases(judged)) +
+                         " of " + plural(judged.cases.size(), "case") + " pass, instead of " +
+                         std::to_string(first_passed) + "; these points count");
+  std::vector<std::string> notes = second.judged.notes;
+  tell_what_still_fails(second.judged, causes, notes);
+  for (std::string& note : notes) {
+    const auto& known = judged.notes;
+    if (std::find(known.begin(), known.end(), note) == known.end())
+      judged.notes.push_back(std::move(note));
+  }
+}
+
+/// Runs the exercise again with right solutions of these in place of the student's.
+void run_with(const Assignment& assignment, const Home& home, const Candidate& candidate,
+              const std::vector<const JudgedExercise*>& wrong, ExerciseRun& run) {
+  std::vector<std::string> names;
+  std::vector<StandIn> stand_ins;
+  for (const JudgedExercise* exercise : wrong) {
+    const ExerciseRubric& rubric = *exercise->rubric;
+    names.push_back(rubric.name);
+    stand_ins.push_back({rubric.name, find_exercise_judge(rubric).functions});
+    const std::string note =
+        "your own " + rubric.name + " is part of this and " + state_of(*exercise);
+    const auto& known = run.judged.notes;
+    if (std::find(known.begin(), known.end(), note) == known.end())
+      run.judged.notes.push_back(note);
+  }
+  const std::string causes = join(names, " and ");
   const auto changed = with_stand_ins(candidate.submission, home, stand_ins);
   if (!changed) {
     run.judged.notes.push_back(
@@ -128,13 +242,37 @@ void run_with_stand_ins(const Assignment& assignment, const Home& home,
                                ": your own cannot be taken out of its file");
     return;
   }
-  JudgedExercise second = judge_second(assignment, home, {*changed, build}, run);
+  const Question question{assignment, home, candidate.submission, run};
+  SecondRun second{judge_second(question, {*changed, build}), ""};
+  try_other_choices(question, stand_ins, second);
+  const bool had_failure = has_failure(run.judged);
   const std::size_t first_passed = passed_cases(run.judged);
-  if (passed_cases(second) == first_passed && !has_failure(run.judged)) return;
-  std::vector<std::string> notes = notes_of_second(causes, first_passed, second);
-  run.judged.cases = std::move(second.cases);
-  run.judged.notes.insert(run.judged.notes.end(), notes.begin(), notes.end());
-  run.judged.stand_ins = std::move(wrong);
+  const std::size_t taken = take_over(second.judged, run.judged);
+  if (taken == 0 && !had_failure) return;
+  add_notes(second, causes, first_passed, run.judged);
+  if (taken > 0) run.judged.stand_ins = std::move(names);
+}
+
+}  // namespace
+
+void run_with_stand_ins(const Assignment& assignment, const Home& home,
+                        const Candidate& candidate, const std::vector<JudgedExercise>& needed,
+                        ExerciseRun& run) {
+  std::vector<const JudgedExercise*> wrong;
+  std::vector<const JudgedExercise*> incomplete;
+  for (const JudgedExercise& exercise : needed) {
+    if (!is_required_right(exercise)) wrong.push_back(&exercise);
+    if (!is_all_right(exercise)) incomplete.push_back(&exercise);
+  }
+  if (!wrong.empty()) run_with(assignment, home, candidate, wrong, run);
+  // What is missing for extra credit only may not hide how the student's own parts fit
+  // together.
+  const bool is_more = incomplete.size() > wrong.size();
+  if (is_more && is_required_right(run.judged) && !is_all_right(run.judged)) {
+    run_with(assignment, home, candidate, incomplete, run);
+  } else if (wrong.empty()) {
+    tell_what_it_relies_on(assignment, home, candidate, needed, run);
+  }
 }
 
 }  // namespace meshgrade

@@ -109,6 +109,18 @@ void say_what_failed(const StudentProgram& program) {
   }
 }
 
+int take_bezier(StudentProgram& program, const std::filesystem::path& file,
+                const ScreenshotOptions& options) {
+  const Progress progress = terminal_progress();
+  progress("compiling");
+  program.rebuild();
+  progress("");
+  say_what_failed(program);
+  const std::string name = file.filename().string();
+  if (file.extension() == ".bzc") return take_curve(program, read_bzc(file), options, name);
+  return take_surface(program, read_bez(file), options, name);
+}
+
 int view(const ViewOptions& options) {
   const bool for_picture = !options.screenshot.out.empty();
   const PictureRequest request =
@@ -119,20 +131,18 @@ int view(const ViewOptions& options) {
   const std::filesystem::path file =
       options.mesh.empty() ? cube : std::filesystem::path(options.mesh);
   const Json start = bezier_start(file);
-  if (for_picture && !start.is_null()) {
-    throw UserError(file.string() +
-                    ": --screenshot takes pictures of meshes, not of Bezier curves and "
-                    "surfaces: open them in the browser");
-  }
   const std::filesystem::path mesh = start.is_null() ? file : cube;
   StudentProgram program(assignment, home, options.submission);
+  if (for_picture && !start.is_null()) return take_bezier(program, file, options.screenshot);
   MeshSession session(program);
   const LoadedMesh loaded = read_mesh(mesh);
   try {
-    session.open(mesh.filename().string(), loaded.mesh);
+    session.open(mesh.filename().string(), loaded.mesh, loaded.notes);
   } catch (const UserError& error) {
     throw UserError(mesh.string() + ": " + error.what());
   }
+  for (const std::string& note : loaded.notes)
+    std::cerr << mesh.filename().string() << ": note: " << note << "\n";
   const Progress progress = terminal_progress();
   progress("compiling");
   session.rebuild();
@@ -166,6 +176,18 @@ void add_screenshot_options(CLI::App& command, ScreenshotOptions& options) {
                        "Colours each vertex by its distance from OpenSubdiv's answer"));
   add(command.add_flag("--wireframe", options.wireframe, "Edges without faces"));
   add(command.add_flag("--ids", options.ids, "The names of the elements"));
+  add(command.add_flag("--smooth", options.smooth, "Shaded by your vertex normals"));
+  add(command.add_flag("--normals", options.normals, "Your vertex normals as lines"));
+  add(command.add_option("--t", options.t, "Of a curve: where the levels are; 0.5 if not given")
+          ->check(CLI::Range(0.0, 1.0)));
+  add(command
+          .add_option("--level", options.levels_shown,
+                      "Of a curve: how many levels of de Casteljau are drawn; all if not given")
+          ->check(CLI::Range(0, 40)));
+  add(command
+          .add_option("--density", options.density,
+                      "Of a surface: samples along each side of a patch; 16 if not given")
+          ->check(CLI::Range(1, 64)));
   add(command.add_flag("--dark", options.dark, "On a dark ground"));
 }
 
@@ -196,6 +218,9 @@ void add_view_command(CLI::App& app, int& exit_code) {
       "  meshgrade view meshes/arch_4.bzc --submission my_homework\n"
       "  meshgrade view meshes/cube.obj --submission my_homework --screenshot cube.png \\\n"
       "      --steps \"flip e3, split e5, subdivide 2\" --camera 45,30 --levels\n"
+      "  meshgrade view meshes/loop_6.bzc --submission my_homework --screenshot curve.png \\\n"
+      "      --t 0.3 --level 2\n"
+      "  meshgrade view meshes/teapot.bez --submission my_homework --screenshot teapot.png\n"
       "Exit code: 0 when ended by Ctrl-C or the picture is there, 1 a step of the picture did\n"
       "not come to its end, 2 bad usage or an unreadable file, 3 an error of "
       "the\n"

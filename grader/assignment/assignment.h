@@ -9,13 +9,20 @@
 
 namespace meshgrade {
 
+/// What a group earns of which not all cases pass.
+enum class Partial {
+  kNone,      ///< nothing
+  kCases,     ///< the share of the cases that pass
+  kPointers,  ///< by the pointers that are right in the cases that fail
+};
+
 /// Cases that points are given for together.
 struct Group {
   std::string name;   ///< as in the cases: "basic"
   std::string title;  ///< what it tests, in a few words
   double points = 0.0;
   bool extra_credit = false;  ///< points on top, not needed for a full score
-  bool partial = false;       ///< points in proportion to the cases passed, else all or none
+  Partial partial = Partial::kNone;
   std::string needs;          ///< a group that must earn something before this one counts
   std::string place;          ///< "assignment.toml:42", for messages
 };

@@ -23,11 +23,12 @@ struct Task {
   std::uint64_t step_budget = 0;  ///< uses of handles
   std::uint32_t cpu_ms = 0;       ///< processor time
   std::uint32_t wall_ms = 0;      ///< time on the clock
-  std::uint32_t family = 0;  ///< tasks of one family call the same functions: see run_cases
+  bool fresh = false;             ///< begins a process of its own
+  std::uint32_t family = 0;       ///< tasks of one family call the same functions: see run_cases
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(exercise, input, step_budget, cpu_ms, wall_ms, family);
+    wire(exercise, input, step_budget, cpu_ms, wall_ms, fresh, family);
   }
 };
 
@@ -59,8 +60,9 @@ enum class Ending : std::uint32_t {
   kSkipped = 9,        ///< not run: too many of its family before it ran out of time
   kTooManyFiles = 10,  ///< the most files that may be open were open
   kTooManyProcesses = 11,  ///< more processes than are allowed
+  kLibraryCheck = 12,      ///< the standard library refused a call; `subject` says which and why
 };
-constexpr std::uint32_t kLastEnding = static_cast<std::uint32_t>(Ending::kTooManyProcesses);
+constexpr std::uint32_t kLastEnding = static_cast<std::uint32_t>(Ending::kLibraryCheck);
 
 /// The packed result of one completed step of a task.
 struct StepFrame {
@@ -79,7 +81,7 @@ struct EndFrame {
   Ending ending = Ending::kDone;
   std::uint32_t fault_kind = 0;      ///< a meshedit::FaultKind if ending is kFault
   std::int32_t code = 0;             ///< a signal or an exit status
-  std::string subject;               ///< of a fault; or the text of an exception
+  std::string subject;               ///< of a fault or check; or the text of an exception
   std::vector<std::uint64_t> stack;  ///< return addresses, innermost first
   std::string interrupted;           ///< packed state at the moment of a fault, or empty
   std::string output;                ///< what the code printed, cut off

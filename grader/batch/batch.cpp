@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <optional>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "grader/base/digest.h"
 #include "grader/base/errors.h"
@@ -33,6 +35,7 @@ constexpr const char* kTemporary = ".tmp";
 struct StepMessage {
   std::uint32_t status = 0;
   bool kept = false;
+  bool again = false;
   double points = 0.0;
   double max_points = 0.0;
   std::string reason;
@@ -40,7 +43,7 @@ struct StepMessage {
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(status, kept, points, max_points, reason, broken);
+    wire(status, kept, again, points, max_points, reason, broken);
   }
 };
 
@@ -70,8 +73,8 @@ FileDescriptor lock_results(const fs::path& folder) {
 std::string fingerprint_of(const Submission& submission, const std::string& identity) {
   Digest digest;
   digest.add(identity).add(submission.name).add(join(submission.notes, "\n"));
-  for (const auto* files :
-       {&submission.sources, &submission.headers, &submission.course_headers}) {
+  for (const auto* files : {&submission.sources, &submission.headers,
+                            &submission.course_sources, &submission.course_headers}) {
     digest.add(std::to_string(files->size()));
     for (const SourceFile& file : *files)
       digest.add(file.name).add(file.text);
@@ -94,17 +97,27 @@ class Batch {
         store_(folder.store()) {}
 
   bool run() {
-    JobPool pool;
-    pool.processes = options_.jobs;
-    pool.work = [this](std::size_t job, unsigned slot) {
-      return to_wire(do_hand_in(roster_.hand_ins[options_.chosen[job]], slot));
-    };
-    pool.ended = [this](const JobEnd& end) { take(end); };
-    pool.stop = options_.stop;
-    return do_jobs(options_.chosen.size(), pool);
+    if (!run_all(options_.chosen)) return false;
+    // What took its process with it gets a second one.
+    is_second_run_ = true;
+    std::vector<std::size_t> died;
+    for (const auto& [hand_in, reason] : died_)
+      died.push_back(hand_in);
+    return run_all(died);
   }
 
  private:
+  bool run_all(const std::vector<std::size_t>& hand_ins) {
+    JobPool pool;
+    pool.processes = options_.jobs;
+    pool.work = [&](std::size_t job, unsigned slot) {
+      return to_wire(do_hand_in(roster_.hand_ins[hand_ins[job]], slot));
+    };
+    pool.ended = [&](const JobEnd& end) { take(hand_ins[end.job], end); };
+    pool.stop = options_.stop;
+    return do_jobs(hand_ins.size(), pool);
+  }
+
   /// In a process of its own.
   StepMessage do_hand_in(const HandIn& hand_in, unsigned slot) const {
     StepMessage message;
@@ -115,7 +128,9 @@ class Batch {
         message.points = result.report->points;
         message.max_points = result.report->max_points;
       }
-      if (result.status != ResultStatus::kGraded) message.reason = result.reason;
+      if (result.status != ResultStatus::kGraded && !message.again) {
+        message.reason = result.reason;
+      }
     } catch (const UserError& error) {
       message.broken = error.what();
     }
@@ -139,12 +154,22 @@ class Batch {
     message.kept = !options_.force && holds(before, result.fingerprint);
     if (message.kept) return before;
     message.reason = before.reason;
-    grade(submission, slot, result);
+    std::optional<std::string> text = grade(submission, slot, result);
+    if (result.status == ResultStatus::kGraderError) {
+      message.again = true;
+      message.reason = result.reason;
+      text = grade(submission, slot, result);
+    }
+    finish(result, text);
     return result;
   }
 
-  void grade(const Submission& submission, unsigned slot, Result& result) const {
+  /// @return the report for people, where it tells of a fault of the grader
+  std::optional<std::string> grade(const Submission& submission, unsigned slot,
+                                   Result& result) const {
     require_room();
+    result.report.reset();
+    result.reason.clear();
     try {
       result.report = grading_.grade(submission, slot);
       result.status = ResultStatus::kGraded;
@@ -157,9 +182,13 @@ class Batch {
     if (result.report && result.report->has_grader_error()) {
       result.status = ResultStatus::kGraderError;
       result.reason = "the grader failed in one of the cases; see its report.txt";
-      save(result, grading_.to_text(*result.report));
-      return;
+      return grading_.to_text(*result.report);
     }
+    return std::nullopt;
+  }
+
+  void finish(Result& result, const std::optional<std::string>& text) const {
+    if (text) return save(result, *text);
     if (result.report && grading_.add_files) {
       grading_.add_files(*result.report, store_.make_folder(result.key));
     }
@@ -190,10 +219,14 @@ class Batch {
   }
 
   /// Back in the process that waits.
-  void take(const JobEnd& end) {
+  void take(std::size_t hand_in, const JobEnd& end) {
     BatchStep step;
-    step.hand_in = options_.chosen[end.job];
+    step.hand_in = hand_in;
     StepMessage message;
+    if (!end.ok && !is_second_run_) {
+      died_[hand_in] = printable(end.text);
+      return;
+    }
     if (end.ok) {
       message = from_wire<StepMessage>(end.text);
     } else {
@@ -208,9 +241,10 @@ class Batch {
     if (!message.broken.empty()) throw UserError(message.broken);
     step.status = static_cast<ResultStatus>(message.status);
     step.kept = message.kept;
+    step.again = message.again || is_second_run_;
     step.points = message.points;
     step.max_points = message.max_points;
-    step.reason = message.reason;
+    step.reason = is_second_run_ ? died_.at(hand_in) : message.reason;
     options_.progress(step);
   }
 
@@ -219,6 +253,8 @@ class Batch {
   const fs::path& folder_;
   const BatchOptions& options_;
   ResultStore store_;
+  std::map<std::size_t, std::string> died_;  ///< hand-ins whose process died, and how
+  bool is_second_run_ = false;
 };
 
 }  // namespace

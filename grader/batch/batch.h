@@ -28,10 +28,11 @@ struct Grading {
 struct BatchStep {
   std::size_t hand_in = 0;  ///< index in the roster
   ResultStatus status = ResultStatus::kMissing;
-  bool kept = false;  ///< from an earlier run: nothing has changed
+  bool kept = false;   ///< from an earlier run: nothing has changed
+  bool again = false;  ///< the grader failed at first, and was asked once more
   double points = 0.0;
   double max_points = 0.0;
-  std::string reason;  ///< why it is not graded, or why it is graded again
+  std::string reason;  ///< why it is not graded, or graded again, or asked for once more
 };
 
 struct BatchOptions {
@@ -78,8 +79,9 @@ std::map<std::string, std::string> pending_hand_ins(const Roster& roster,
                                                     const BatchOptions& options);
 
 /// Grades the hand-ins of a class and stores each result as soon as it is there. What has not
-/// changed since an earlier run is kept. A hand-in whose grading dies becomes a "grader error"
-/// and takes no other with it.
+/// changed since an earlier run is kept. A hand-in for which the grader fails, or dies, is
+/// graded once more; then it becomes a "grader error", which the next run tries again. It takes
+/// no other with it.
 /// @return false if it was stopped before the end
 /// @throws UserError if the results cannot be written, or if the disk is about to be full
 bool run_batch(const Roster& roster, const Grading& grading, const BatchFolder& folder,

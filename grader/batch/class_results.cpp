@@ -26,6 +26,8 @@ ClassRow to_row(const HandIn& hand_in, const std::vector<ExercisePoints>& exerci
                0.0,
                0.0,
                exercises};
+  for (ExercisePoints& exercise : row.exercises)
+    exercise.title.clear();
   if (!result.report) return row;
   row.points = result.report->points;
   row.extra_points = result.report->extra_points;
@@ -44,8 +46,10 @@ ClassRow to_row(const HandIn& hand_in, const std::vector<ExercisePoints>& exerci
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Person, id, name, email)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Omission, what, why)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ExercisePoints, name, verdict, points, max_points,
-                                   extra_points, max_extra_points)
+// A class that was graded before there were titles can still be read.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(ExercisePoints, name, verdict, points,
+                                                max_points, extra_points, max_extra_points,
+                                                title)
 NLOHMANN_JSON_SERIALIZE_ENUM(ResultStatus, {{ResultStatus::kMissing, "not graded yet"},
                                             {ResultStatus::kGraded, "graded"},
                                             {ResultStatus::kUngradable, "ungradable"},
@@ -67,7 +71,8 @@ ClassResults collect_results(const Roster& roster, const Assignment& assignment,
                                                        rubric.name) != exercises.end();
     if (!wanted) continue;
     results.exercises.push_back(
-        {rubric.name, "", 0.0, rubric.points(), 0.0, rubric.extra_points()});
+        {rubric.name, "", 0.0, rubric.points(), 0.0, rubric.extra_points(),
+         rubric.title});
     results.max_points += rubric.points();
     results.max_extra_points += rubric.extra_points();
   }

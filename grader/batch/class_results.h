@@ -18,6 +18,7 @@ struct ExercisePoints {
   double max_points = 0.0;
   double extra_points = 0.0;
   double max_extra_points = 0.0;
+  std::string title = {};  ///< of the exercise; empty in the rows of a class
 };
 
 /// One hand-in of the class in short; the whole report is in the store.

@@ -18,6 +18,15 @@ bool is_suspicious(const std::string& rule) {
   return rules.count(rule) != 0;
 }
 
+/// Extra credit of which nothing works was not tried: it is no mistake to leave it out.
+std::set<std::string> skipped_groups(const ExerciseReport& exercise) {
+  std::set<std::string> names;
+  for (const GroupReport& group : exercise.groups) {
+    if (group.extra_credit && group.passed == 0) names.insert(group.name);
+  }
+  return names;
+}
+
 /// Faults by exercise and name.
 using Faults = std::map<std::pair<std::string, std::string>, CommonFault>;
 
@@ -83,8 +92,9 @@ class Summing {
 
   void add_findings(const std::string& key, const Report& report) {
     for (const ExerciseReport& exercise : report.exercises) {
+      const std::set<std::string> skipped = skipped_groups(exercise);
       for (const CaseReport& c : exercise.cases) {
-        if (c.excused) continue;
+        if (c.excused || skipped.count(c.group) != 0) continue;
         for (const FindingReport& finding : c.findings)
           add_finding(key, exercise.name, c, finding.finding);
       }

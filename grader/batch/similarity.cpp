@@ -9,6 +9,7 @@
 #include "grader/base/process.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
+#include "grader/submission/course_files.h"
 
 namespace meshgrade {
 namespace {
@@ -59,8 +60,9 @@ std::string write_texts(const Roster& roster, const Submission& skeleton,
     try {
       const Submission submission = take_submission(roster.hand_ins[i], options.rules);
       for (const auto* files : {&submission.sources, &submission.headers}) {
-        for (const SourceFile& file : *files)
-          text += strip(file.text, known);
+        for (const SourceFile& file : *files) {
+          if (!is_as_handed_out(file)) text += strip(file.text, known);
+        }
       }
     } catch (const UserError& error) {
       notes.push_back(roster.hand_ins[i].key + " is not compared: " + error.what());

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <set>
-#include <tuple>
+#include <utility>
 
 #include "grader/base/text.h"
 #include "grader/submission/code_only.h"
@@ -11,7 +12,7 @@
 namespace meshgrade {
 namespace {
 
-constexpr std::size_t kMostSentences = 20;
+constexpr std::size_t kMostMembers = 20;
 
 /// The words of a text that can be names in C++.
 std::vector<std::string> names_in(const std::string& text) {
@@ -39,15 +40,6 @@ std::string behind(const std::string& text, const std::string& mark) {
   return found == std::string::npos ? "" : text.substr(found + mark.size());
 }
 
-struct Member {
-  std::string class_name;
-  std::string name;
-
-  bool operator<(const Member& other) const {
-    return std::tie(class_name, name) < std::tie(other.class_name, other.name);
-  }
-};
-
 /// The class that is named last in front of `end`.
 std::string class_before(const std::vector<std::string>& names,
                          std::vector<std::string>::const_iterator end) {
@@ -60,72 +52,73 @@ std::string class_before(const std::vector<std::string>& names,
 
 /// GCC: ‘class meshedit::Vertex’ has no member named ‘x’; Clang: no member named 'x' in
 /// 'meshedit::Vertex'.
-Member used_member(const std::string& message) {
+MemberUse used_member(const std::string& message) {
   const std::vector<std::string> after = names_in(behind(message, "no member named "));
   if (after.empty()) return {};
   const std::vector<std::string> all = names_in(message.substr(0, message.find(';')));
-  return {class_before(all, all.end()), after[0]};
+  return {class_before(all, all.end()), after[0], ""};
 }
 
 /// GCC: no declaration matches ‘bool meshedit::HalfedgeMesh::f(int)’; Clang: out-of-line
 /// definition of 'f' does not match any declaration in 'meshedit::HalfedgeMesh'.
-Member defined_member(const std::string& message) {
+MemberUse defined_member(const std::string& message) {
   const std::vector<std::string> after = names_in(behind(message, "no declaration matches "));
   for (std::size_t i = 0; i + 1 < after.size(); ++i) {
     if (i > 0 && after[i - 1] == "meshedit" && is_course_class(after[i])) {
       const std::string both = after[i] + "::" + after[i + 1];
-      if (message.find(both) != std::string::npos) return {after[i], after[i + 1]};
+      if (message.find(both) != std::string::npos) return {after[i], after[i + 1], ""};
     }
   }
   const std::vector<std::string> clang =
       names_in(behind(message, "out-of-line definition of "));
-  return clang.empty() ? Member{} : Member{class_before(clang, clang.end()), clang[0]};
+  return clang.empty() ? MemberUse{}
+                       : MemberUse{class_before(clang, clang.end()), clang[0], ""};
 }
 
-/// "halfEdgeMesh.h, line 88", or empty.
-std::string place_in(const std::vector<SourceFile>& headers, const std::string& member) {
+}  // namespace
+
+MemberUse unknown_member(const std::string& complaint) {
+  MemberUse member = used_member(complaint);
+  return member.empty() ? defined_member(complaint) : member;
+}
+
+std::vector<MemberUse> unknown_members(const std::string& messages) {
+  std::vector<MemberUse> members;
+  std::set<std::pair<std::string, std::string>> told;
+  for (const std::string& line : split_lines(messages)) {
+    if (members.size() == kMostMembers) break;
+    MemberUse member = unknown_member(behind(line, ": error: "));
+    if (member.empty() || !told.insert({member.class_name, member.name}).second) continue;
+    const std::size_t column = line.find(':', line.find(':') + 1);  // file:line:column: error
+    member.place = line.substr(0, column);
+    members.push_back(member);
+  }
+  return members;
+}
+
+std::string complaint_about(const std::string& messages, const std::string& file, int line,
+                            int last_line) {
+  for (const std::string& said : split_lines(messages)) {
+    const std::string place = file + ":";
+    const std::size_t at = said.find(": error: ");
+    if (file.empty() || at == std::string::npos || said.rfind(place, 0) != 0) continue;
+    const int number = std::atoi(said.c_str() + place.size());
+    if (line <= number && number <= last_line) return behind(said, ": error: ");
+  }
+  return {};
+}
+
+std::string place_of_member(const std::vector<SourceFile>& headers, const std::string& name) {
   for (const SourceFile& header : headers) {
     const std::vector<std::string> lines = split_lines(code_only(header.text));
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const std::vector<std::string> names = names_in(lines[i]);
-      if (std::find(names.begin(), names.end(), member) != names.end()) {
+      if (std::find(names.begin(), names.end(), name) != names.end()) {
         return header.name + ", line " + std::to_string(i + 1);
       }
     }
   }
   return {};
-}
-
-std::string explain(const std::string& use, const Member& member, const std::string& place) {
-  const std::string name = member.class_name + "::" + member.name;
-  if (!place.empty()) {
-    return use + " uses " + name + ", a member that was added to the course's header (" +
-           place +
-           "): the grader has its own mesh and Bezier classes, so such members cannot be "
-           "graded";
-  }
-  return use + " uses " + name + ", which is no member of the course's " + member.class_name +
-         "; if it was added to the course's header: the grader has its own mesh and Bezier "
-         "classes, so such members cannot be graded";
-}
-
-}  // namespace
-
-std::vector<std::string> explain_added_members(const std::string& messages,
-                                               const std::vector<SourceFile>& headers) {
-  std::vector<std::string> sentences;
-  std::set<Member> told;
-  for (const std::string& line : split_lines(messages)) {
-    if (sentences.size() == kMostSentences) break;
-    const std::string message = behind(line, ": error: ");
-    Member member = used_member(message);
-    if (member.class_name.empty()) member = defined_member(message);
-    if (member.class_name.empty() || !told.insert(member).second) continue;
-    const std::size_t column = line.find(':', line.find(':') + 1);  // file:line:column: error
-    sentences.push_back(
-        explain(line.substr(0, column), member, place_in(headers, member.name)));
-  }
-  return sentences;
 }
 
 }  // namespace meshgrade

@@ -8,8 +8,10 @@
 
 #include "grader/base/errors.h"
 #include "grader/build/added_members.h"
+#include "grader/build/member_splice.h"
 #include "grader/build/tool_words.h"
 #include "grader/build/workshop.h"
+#include "grader/submission/course_files.h"
 
 namespace meshgrade {
 namespace {
@@ -81,21 +83,14 @@ class Builder {
   }
 
   Build build() {
-    const std::size_t sources = submission_.sources.size();
-    const std::vector<std::string> adapters = adapter_files(submission_.dialect);
-    for (const SourceFile& source : submission_.sources)
-      rests_.emplace_back(source.name, source.text);
-    build_.files.resize(sources + adapters.size());
-    make_workshops();
-    in_parallel(build_.files.size(), [&](std::size_t i) {
-      if (i < sources) {
-        compile_source(i);
-      } else {
-        compile_adapter(i, adapters[i - sources]);
-      }
-    });
+    splice_ = MemberSplice(submission_);
+    do {
+      settle_splice();
+      compile_all();
+    } while (is_driver_missing() || add_members_from_use());
+    note_members();
     link_all();
-    build_.files.resize(sources);
+    build_.files.resize(submission_.sources.size());
     build_.worker = build_.folder.path() / kWorker;
     return std::move(build_);
   }
@@ -104,15 +99,103 @@ class Builder {
   static constexpr const char* kWorker = "worker";
   static constexpr const char* kMerged = "merged.o";
   static constexpr const char* kLocalised = "submission.o";
+  static constexpr const char* kDriver = "driver.o";
+  static constexpr const char* kProbe = "probe.cpp";
   static constexpr int kRounds = 8;
 
-  /// One for each file, since several are compiled at a time.
-  void make_workshops() {
-    for (std::size_t i = 0; i < build_.files.size(); ++i) {
-      workshops_.emplace_back(home_, limits_);
-      for (const SourceFile& header : submission_.headers)
-        workshops_[i].put(header.name, header.text);
+  void compile_all() {
+    const std::size_t sources = submission_.sources.size();
+    const std::vector<std::string> adapters = adapter_files(submission_.dialect);
+    const std::size_t drivers = splice_.empty() ? 0 : 1;
+    rests_.clear();
+    for (const SourceFile& source : submission_.sources)
+      rests_.emplace_back(source.name, source.text);
+    build_.files.assign(sources + adapters.size(), BuiltFile());
+    make_workshops(build_.files.size());
+    in_parallel(build_.files.size() + drivers, [&](std::size_t i) {
+      if (i < sources) {
+        compile_source(i);
+      } else if (i < build_.files.size()) {
+        compile_adapter(i, adapters[i - sources]);
+      } else {
+        compile_driver();
+      }
+    });
+  }
+
+  /// Takes out of the splice what does not compile.
+  void settle_splice() {
+    for (int round = 0; !splice_.empty(); ++round) {
+      Workshop workshop(home_, limits_);
+      put_headers(workshop);
+      workshop.put(kProbe, "");
+      std::vector<std::string> arguments{home_.compiler, flags_};
+      add_headers(arguments);
+      add_later(arguments);
+      arguments.insert(arguments.end(), {"-c", kProbe, "-o", "probe.o"});
+      const ProcessResult result = workshop.run(std::move(arguments), "probe.o");
+      if (result.ok()) return;
+      if (round == kRounds || result.stopped()) {
+        splice_.drop_all("they do not compile");
+      } else {
+        splice_.drop_blamed(result.output);
+      }
     }
+  }
+
+  /// @return whether there are new members, and everything has to be compiled again
+  bool add_members_from_use() {
+    if (submission_.dialect == Dialect::kMeshedit) return false;
+    std::string messages;
+    for (const BuiltFile& file : build_.files)
+      messages += file.messages + "\n";
+    return splice_.add_from_use(unknown_members(messages), submission_);
+  }
+
+  /// Says what became of added members, and which functions cannot be judged for them.
+  void note_members() {
+    if (submission_.dialect == Dialect::kMeshedit || rests_.empty()) return;
+    build_.files[0].notes = splice_.notes();
+    for (std::size_t i = 0; i < rests_.size(); ++i) {
+      for (LeftOut& left : build_.files[i].left_out)
+        tell_missing_member(left, build_.files[i]);
+    }
+  }
+
+  /// A member that nobody declares is the student's mistake if the header is here to show it,
+  /// or if it is written nearly like one of the course's.
+  void tell_missing_member(LeftOut& left, BuiltFile& file) const {
+    const MemberUse use = unknown_member(left.message);
+    if (use.empty()) return;
+    const std::string place = place_of_member(submission_.course_headers, use.name);
+    const bool missing = submission_.course_headers.empty() && !splice_.is_slip(use);
+    left.not_judged = splice_.is_declared(use) || !place.empty() || missing;
+    if (!left.not_judged) return;
+    file.notes.push_back(
+        file.name + ":" + std::to_string(left.line) + " uses " + use.class_name +
+        "::" + use.name +
+        (place.empty() ? ", which the course's " + use.class_name +
+                             " does not have: hand in the header that adds it; until then "
+                       : ", a member that was added to the course's header (" + place +
+                             ") and could not be taken over: ") +
+        left.function + " is not judged");
+  }
+
+  /// One for each file, since several are compiled at a time.
+  void make_workshops(std::size_t count) {
+    workshops_.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      workshops_.emplace_back(home_, limits_);
+      put_headers(workshops_[i]);
+    }
+  }
+
+  void put_headers(const Workshop& workshop) const {
+    for (const SourceFile& header : submission_.headers)
+      workshop.put(header.name, header.text);
+    if (splice_.empty()) return;
+    for (const SourceFile& header : splice_.files())
+      workshop.put(header.name, header.text);
   }
 
   std::chrono::seconds time_limit() const {
@@ -123,26 +206,56 @@ class Builder {
   ProcessResult compile(std::size_t i, const std::string& file) const {
     const std::string object = object_name(i);
     std::vector<std::string> arguments{
-        home_.compiler,
-        flags_,
-        "-I.",  // before the dropin folder, which has headers to stand in for the student's
-        "-I" + home_.include.string(),
-        "-ffile-prefix-map=" + workshops_[i].folder().string() + "=.",
-        "-include",
-        (home_.kit / "precompiled.h").string()};
-    add_dialect(arguments);
+        home_.compiler, flags_, "-ffile-prefix-map=" + workshops_[i].folder().string() + "=."};
+    add_headers(arguments);
+    if (!splice_.empty() && i < rests_.size()) add_later(arguments);
     arguments.insert(arguments.end(), {"-c", file, "-o", object});
     ProcessResult result = workshops_[i].run(std::move(arguments), object);
     if (result.ok()) workshops_[i].hand_over(object, build_.folder.path());
     return result;
   }
 
-  void add_dialect(std::vector<std::string>& arguments) const {
+  /// The folders to look in, and what comes before every source.
+  void add_headers(std::vector<std::string>& arguments) const {
+    // First what was handed in: the dropin folder has headers to stand in for the student's.
+    arguments.insert(arguments.end(), {"-I.", "-I" + home_.include.string(), "-include"});
+    if (splice_.empty()) {
+      arguments.push_back(home_.kit / "precompiled.h");
+    } else {
+      arguments.insert(arguments.end(), {home_.include / "meshedit" / "meshedit.h",
+                                         "-DMESHEDIT_ADDED", "-DMESHEDIT_ADDED_FUNCTIONS"});
+    }
     if (submission_.dialect == Dialect::kMeshedit) return;
     const fs::path dropin = home_.include / "dropin";
     const bool old = submission_.dialect == Dialect::kCourse2017;
     arguments.insert(arguments.end(), {"-I" + dropin.string(), "-include",
                                        dropin / (old ? "course_2017.h" : "course.h")});
+  }
+
+  static void add_later(std::vector<std::string>& arguments) {
+    arguments.insert(arguments.end(), {"-include", MemberSplice::kLater});
+  }
+
+  /// What of the worker sees the elements, with the members of this submission. It takes the
+  /// place of the same functions in the worker's library.
+  void compile_driver() {
+    const Workshop workshop(home_, limits_);
+    put_headers(workshop);
+    const fs::path driver = home_.kit / "driver";
+    const ProcessResult result = workshop.run(
+        {home_.compiler, "@" + (home_.kit / "flags.txt").string(), "-DMESHEDIT_ADDED", "-I.",
+         "-I" + home_.include.string(), "-I" + driver.string(), "-c",
+         driver / "grader" / "worker" / "mesh_driver.cpp", "-o", kDriver},
+        kDriver);
+    driver_ok_ = result.ok();
+    if (driver_ok_) workshop.hand_over(kDriver, build_.folder.path());
+  }
+
+  /// @return whether everything has to be compiled again, without the members
+  bool is_driver_missing() {
+    if (splice_.empty() || driver_ok_) return false;
+    splice_.drop_all("the grader's own part does not compile with them");
+    return true;
   }
 
   std::string messages_of(const ProcessResult& result) const {
@@ -157,12 +270,10 @@ class Builder {
     BuiltFile& file = build_.files[i];
     file.name = submission_.sources[i].name;
     if (submission_.dialect == Dialect::kCourse2016) rests_[i].remove_members("BezierPatch");
+    if (submission_.dialect != Dialect::kMeshedit) rests_[i].mark_unwritten(graded_functions());
     const auto end = std::chrono::steady_clock::now() + time_limit();
     ProcessResult result = compile_rest(i);
     file.messages = messages_of(result);
-    if (submission_.dialect != Dialect::kMeshedit) {
-      file.notes = explain_added_members(file.messages, submission_.course_headers);
-    }
     for (int round = 0; round < kRounds && !result.ok(); ++round) {
       if (std::chrono::steady_clock::now() > end || file.compiler_died) break;
       if (!rests_[i].learn_from(result.output)) break;
@@ -204,6 +315,7 @@ class Builder {
     }
     std::vector<std::string> arguments{home_.compiler, flags_, "-no-pie", "-o", kWorker};
     arguments.insert(arguments.end(), objects.begin(), objects.end());
+    if (!splice_.empty()) arguments.emplace_back(kDriver);
     arguments.push_back((home_.kit / "libmeshgrade_worker.a").string());
     return workshop.run(std::move(arguments), kWorker);
   }
@@ -272,6 +384,8 @@ class Builder {
   const Limits& limits_;
   std::string flags_;
   Build build_;
+  MemberSplice splice_;
+  bool driver_ok_ = false;
   std::vector<LeavingOut> rests_;  ///< of the sources
   std::vector<Workshop> workshops_;
 };

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <regex>
 
 #include "grader/base/text.h"
 #include "grader/build/function_extents.h"
+#include "grader/submission/code_only.h"
+#include "grader/submission/course_files.h"
 
 namespace meshgrade {
 namespace {
@@ -72,6 +75,19 @@ void replace_part(std::string& text, std::size_t begin, std::size_t end,
   text.replace(begin, end - begin, code + lines);
 }
 
+/// A body that answers so.
+std::string not_implemented(const std::string& function) {
+  return "{ ::meshedit::notImplemented(\"" + function + "\"); }";
+}
+
+/// "CGL::Vertex::normal" is Vertex::normal.
+std::string without_namespace(const std::string& name) {
+  for (const std::string space : {"CGL::", "::CGL::"}) {
+    if (name.rfind(space, 0) == 0) return name.substr(space.size());
+  }
+  return name;
+}
+
 const LeftOut* find(const std::vector<LeftOut>& list, const std::string& function) {
   const auto found = std::find_if(
       list.begin(), list.end(), [&](const LeftOut& item) { return item.function == function; });
@@ -104,7 +120,41 @@ std::vector<std::pair<FunctionExtent, Complaint>> to_blame(
   return blamed;
 }
 
+/// Whether a body, from brace to brace, says nothing. `head` is what stands in front of it.
+bool does_nothing(const std::string& head, const std::string& body) {
+  static const std::regex
+      form(
+          "\\{"
+          "(?:showError\\(\\);|(?:std::)?(?:cout|cerr)<<[^;]*;)*"  // a message
+          "(?:(?!return|throw|delete)(?:std::)?(?:vector<)?\\w+(?:>| "
+          ")(\\w+)(?:\\([0-9.,]*\\))?;)?"  // a variable
+          "(?:return(?:;| (\\w+);|"        // by its name
+          "\\{\\};|"
+          " (?:std::)?(?:vector<)?(?:CGL::)?(?:Vector[23]D|EdgeIter|VertexIter)>?"  // a new one
+          "[\\(\\{][0-9.,]*[\\)\\}];))?"
+          "\\}");
+  constexpr std::size_t kMost = 400;  // std::regex goes as deep as a text is long
+  const std::string code = squeeze(code_only(body));
+  std::smatch found;
+  if (code.size() > kMost || !std::regex_match(code, found, form)) return false;
+  const std::string returned = found[2];
+  if (returned.empty() || returned == found[1]) return true;
+  return std::regex_search(head, std::regex("\\b" + returned + "\\s*\\)"));
+}
+
 }  // namespace
+
+void LeavingOut::mark_unwritten(const std::set<std::string>& functions) {
+  std::vector<FunctionExtent> found = find_functions(text_);
+  std::reverse(found.begin(), found.end());  // so that offsets before stay right
+  for (const FunctionExtent& function : found) {
+    const std::string name = without_namespace(function.name);
+    const std::string head = text_.substr(function.begin, function.body - function.begin);
+    const std::string body = text_.substr(function.body, function.end - function.body);
+    if (!function.balanced || functions.count(name) == 0 || !does_nothing(head, body)) continue;
+    replace_part(text_, function.body, function.end, not_implemented(name));
+  }
+}
 
 bool LeavingOut::learn_from(const std::string& messages) {
   auto blamed = to_blame(text_, complaints_about(file_, messages));
@@ -115,9 +165,8 @@ bool LeavingOut::learn_from(const std::string& messages) {
       replace_part(text_, function.begin, function.end, "");
       continue;
     }
-    replace_part(text_, function.body, function.end,
-                 "{ ::meshedit::notImplemented(\"" + function.name + "\"); }");
-    left_out_.push_back({function.name, complaint.line, complaint.message});
+    replace_part(text_, function.body, function.end, not_implemented(function.name));
+    left_out_.push_back({function.name, complaint.line, complaint.message, false});
   }
   std::sort(left_out_.begin(), left_out_.end(),
             [](const LeftOut& a, const LeftOut& b) { return a.line < b.line; });

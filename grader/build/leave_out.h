@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -7,9 +8,10 @@ namespace meshgrade {
 
 /// A function that does not compile.
 struct LeftOut {
-  std::string function;  ///< "HalfedgeMesh::flipEdge"
-  int line = 0;          ///< of the first complaint about it
-  std::string message;   ///< that complaint
+  std::string function;     ///< "HalfedgeMesh::flipEdge"
+  int line = 0;             ///< of the first complaint about it
+  std::string message;      ///< that complaint
+  bool not_judged = false;  ///< it is no fault of the code: the grader lacks what it uses
 };
 
 /// Takes functions that do not compile out of a source, so that the others can be graded. The
@@ -30,6 +32,11 @@ class LeavingOut {
   /// then the compiler complains at the wrong place.
   /// @return false if no function is to blame
   bool learn_from(const std::string& messages);
+
+  /// Makes those of these functions that are as Berkeley's skeleton hands them out answer "not
+  /// implemented": a body without statements, or one that only returns a value that says
+  /// nothing, such as `Vector3D()` or the edge that it was given.
+  void mark_unwritten(const std::set<std::string>& functions);
 
   /// Takes out all members of a class.
   void remove_members(const std::string& class_name);

@@ -17,11 +17,16 @@ struct StandIn {
   std::vector<std::string> functions;
   /// What else the file of the reference defines: these stay the student's own.
   std::vector<std::string> kept = {};
+  /// A text of the reference and what stands in its place; both empty for the reference itself.
+  std::string was = "";
+  std::string becomes = "";
 };
 
 /// The submission with these exercises taken out of its files and the reference's files put in,
 /// so that what calls them can be judged on its own.
-/// @return nothing if this package comes without the reference
+/// @return nothing if this package comes without the reference, or if that has not the text
+/// that
+///         is to be changed
 /// @throws GraderError if a file of the reference cannot be read
 std::optional<Submission> with_stand_ins(Submission submission, const Home& home,
                                          const std::vector<StandIn>& stand_ins);

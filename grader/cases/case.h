@@ -14,6 +14,7 @@ struct Case {
   std::string title;     ///< what is asked, in plain words: "split v0-v1 of the octahedron"
   std::string input;     ///< packed; each exercise has a struct for it
   std::uint64_t step_budget = 0;  ///< handle uses that a good solution never needs
+  bool fresh = false;             ///< run in a process in which nothing was called before
   bool hidden = false;            ///< drawn by the seed that is not handed out
   /// The student's functions that it calls: first the one that it is about, then those whose
   /// work this one may build on. Empty where an exercise has one function.

@@ -83,14 +83,14 @@ std::vector<Point2> CaseMaker::curve(const std::string& file) const {
 }
 
 void CaseMaker::add_packed(const std::string& group, const std::string& title,
-                           std::uint64_t step_budget, std::string input,
+                           std::uint64_t step_budget, std::string input, bool fresh,
                            std::vector<std::string> calls) {
   const auto named = [&](const Group& g) { return g.name == group; };
   if (std::none_of(rubric_.groups.begin(), rubric_.groups.end(), named)) return;
   const auto number = std::count_if(cases_.begin(), cases_.end(),
                                     [&](const Case& c) { return c.group == group; });
   cases_.push_back({rubric_.name, group, static_cast<int>(number) + 1, title, std::move(input),
-                    step_budget, false, std::move(calls)});
+                    step_budget, fresh, false, std::move(calls)});
 }
 
 std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric& rubric,
@@ -117,6 +117,7 @@ std::vector<Case> make_smaller_cases(const Assignment& assignment, const Exercis
   for (Case& c : smaller) {
     c.number = failed.number;
     c.hidden = failed.hidden;
+    c.fresh = failed.fresh;
   }
   return smaller;
 }

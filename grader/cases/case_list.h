@@ -25,7 +25,15 @@ class CaseMaker {
   template <class Input>
   void add(const std::string& group, const std::string& title, std::uint64_t step_budget,
            const Input& input, std::vector<std::string> calls = {}) {
-    add_packed(group, title, step_budget, to_wire(input), std::move(calls));
+    add_packed(group, title, step_budget, to_wire(input), false, std::move(calls));
+  }
+
+  /// Adds a case that is run in a process in which nothing was called before: what a function
+  /// does wrong at its second or third call is wrong there, too.
+  template <class Input>
+  void add_fresh(const std::string& group, const std::string& title, std::uint64_t step_budget,
+                 const Input& input, std::vector<std::string> calls = {}) {
+    add_packed(group, title, step_budget, to_wire(input), true, std::move(calls));
   }
 
   /// A mesh file of the meshes folder, its vertices in build order.
@@ -33,6 +41,8 @@ class CaseMaker {
   PolygonMesh mesh(const std::string& file) const;
   std::vector<ControlNet> patches(const std::string& file) const;
   std::vector<Point2> curve(const std::string& file) const;
+
+  const ExerciseRubric& rubric() const { return rubric_; }
 
   /// Random numbers of this exercise; each purpose has a stream of its own.
   Random random(const std::string& purpose) const {
@@ -43,7 +53,7 @@ class CaseMaker {
 
  private:
   void add_packed(const std::string& group, const std::string& title, std::uint64_t step_budget,
-                  std::string input, std::vector<std::string> calls);
+                  std::string input, bool fresh, std::vector<std::string> calls);
 
   const Assignment& assignment_;
   const ExerciseRubric& rubric_;

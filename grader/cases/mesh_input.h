@@ -17,13 +17,20 @@ enum class OperationKind : std::uint32_t { kFlip = 0, kSplit = 1 };
 enum class Anchoring : std::uint32_t {
   kAsBuilt = 0,
   kOnEdge = 1,  ///< the first edge its other half-edge; its faces and inner ends the edge's own
-  kElsewhere = 2,  ///< every element of the mesh another one than as it is built
+  kElsewhere = 2,   ///< every element of the mesh another one than as it is built
+  kOnEachEdge = 3,  ///< as kOnEdge, before each operation
 };
 
 /// What a title adds for elements that are anchored in this way, after what is asked.
 inline const char* anchoring_text(Anchoring anchoring) {
-  return anchoring == Anchoring::kElsewhere ? ", each halfedge() another than after build()"
-                                            : "";
+  switch (anchoring) {
+    case Anchoring::kElsewhere:
+      return ", each halfedge() another than after build()";
+    case Anchoring::kOnEachEdge:
+      return ", each edge anchored by its ends and faces";
+    default:
+      return "";
+  }
 }
 
 /// One flip or split. The edge is named by its end points, and these by their place among the
@@ -63,7 +70,7 @@ struct SubdivisionInput {
   std::string mesh_name;  ///< for titles
   PolygonMesh mesh;
   std::uint32_t levels = 1;
-  Anchoring anchoring = Anchoring::kAsBuilt;  ///< not kOnEdge: there is no first edge
+  Anchoring anchoring = Anchoring::kAsBuilt;  ///< kAsBuilt or kElsewhere
 
   template <class Wire>
   void transfer(Wire& wire) {
@@ -74,7 +81,7 @@ struct SubdivisionInput {
 /// Vertex normals: the worker sends a Point3 for each vertex, in order.
 struct NormalInput {
   PolygonMesh mesh;
-  Anchoring anchoring = Anchoring::kAsBuilt;  ///< not kOnEdge: there is no first edge
+  Anchoring anchoring = Anchoring::kAsBuilt;  ///< kAsBuilt or kElsewhere
 
   template <class Wire>
   void transfer(Wire& wire) {

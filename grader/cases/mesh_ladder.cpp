@@ -7,11 +7,22 @@
 namespace meshgrade {
 namespace {
 
-bool has_boundary(const PolygonMesh& mesh) {
+/// Whether every vertex is joined to one on a boundary.
+bool is_open(const PolygonMesh& mesh) {
   const TriangleSet triangles(mesh);
   const std::vector<VertexPair> edges = triangles.edges();
-  return std::any_of(edges.begin(), edges.end(),
-                     [&](VertexPair edge) { return triangles.is_boundary(edge); });
+  std::vector<bool> reached(mesh.positions.size(), false);
+  for (const VertexPair& edge : edges) {
+    if (triangles.is_boundary(edge)) reached[edge.first] = reached[edge.second] = true;
+  }
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const auto& [a, b] : edges) {
+      if (reached[a] == reached[b]) continue;
+      reached[a] = reached[b] = grows = true;
+    }
+  }
+  return std::find(reached.begin(), reached.end(), false) == reached.end();
 }
 
 }  // namespace
@@ -28,10 +39,10 @@ std::vector<Rung> smaller_meshes(const CaseMaker& maker, const PolygonMesh& mesh
 }
 
 std::vector<Rung> smaller_meshes_alike(const CaseMaker& maker, const PolygonMesh& mesh) {
-  const bool open = has_boundary(mesh);
+  const bool open = is_open(mesh);
   std::vector<Rung> rungs = smaller_meshes(maker, mesh);
   rungs.erase(std::remove_if(rungs.begin(), rungs.end(),
-                             [&](const Rung& rung) { return has_boundary(rung.mesh) != open; }),
+                             [&](const Rung& rung) { return is_open(rung.mesh) != open; }),
               rungs.end());
   return rungs;
 }

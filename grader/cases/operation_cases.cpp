@@ -1,8 +1,11 @@
 #include "grader/cases/operation_cases.h"
 
 #include <algorithm>
+#include <set>
 
 #include "grader/base/text.h"
+#include "grader/cases/moved_meshes.h"
+#include "grader/mesh/torus_mesh.h"
 
 namespace meshgrade {
 namespace {
@@ -45,6 +48,60 @@ std::vector<std::string> called_by(const std::vector<Operation>& operations) {
   return calls;
 }
 
+/// How many of ten operations are flips, where all are of one kind.
+std::uint32_t flips(OperationKind kind) {
+  return kind == OperationKind::kFlip ? 10 : 0;
+}
+
+std::uint64_t budget_of(const OperationsInput& input) {
+  return input.operations.size() * (2000 + 100 * input.mesh.polygons.size());
+}
+
+/// Random operations on inner edges, each with a single right outcome: flips double no edge.
+/// They begin with `operations`, and there are `length` in all.
+std::vector<Operation> draw_operations(const PolygonMesh& mesh,
+                                       std::vector<Operation> operations, std::uint32_t length,
+                                       std::uint32_t flips_of_ten, Random& random) {
+  TriangleSet triangles(mesh);
+  const auto apply = [&](const Operation& operation) {
+    const VertexPair edge{operation.a, operation.b};
+    if (operation.kind == OperationKind::kFlip) {
+      triangles.flip(edge);
+    } else {
+      triangles.split(edge);
+    }
+  };
+  std::for_each(operations.begin(), operations.end(), apply);
+  while (operations.size() < length) {
+    const std::vector<VertexPair> edges = triangles.edges();
+    const VertexPair edge = edges[random.below(static_cast<std::uint32_t>(edges.size()))];
+    const bool flip = random.below(10) < flips_of_ten;
+    if (flip ? !triangles.can_flip(edge) : triangles.is_boundary(edge)) continue;
+    operations.push_back(
+        {flip ? OperationKind::kFlip : OperationKind::kSplit, edge.first, edge.second});
+    apply(operations.back());
+  }
+  return operations;
+}
+
+/// Random splits, two of three of them at the boundary, that begin with `operations`.
+std::vector<Operation> draw_boundary_splits(const PolygonMesh& mesh,
+                                            std::vector<Operation> operations,
+                                            std::uint32_t length, Random& random) {
+  TriangleSet triangles(mesh);
+  for (const Operation& operation : operations)
+    triangles.split({operation.a, operation.b});
+  while (operations.size() < length) {
+    const std::vector<VertexPair> edges = triangles.edges();
+    const VertexPair edge = edges[random.below(static_cast<std::uint32_t>(edges.size()))];
+    const bool at_boundary = operations.size() % 3 != 2;
+    if (triangles.is_boundary(edge) != at_boundary) continue;
+    operations.push_back({OperationKind::kSplit, edge.first, edge.second});
+    triangles.split(edge);
+  }
+  return operations;
+}
+
 }  // namespace
 
 const char* verb(OperationKind kind) {
@@ -57,9 +114,7 @@ std::string edge_text(VertexPair edge) {
 
 void add_operations(CaseMaker& maker, const std::string& group, const std::string& title,
                     const OperationsInput& input) {
-  const std::uint64_t budget =
-      input.operations.size() * (2000 + 100 * input.mesh.polygons.size());
-  maker.add(group, title, budget, input, called_by(input.operations));
+  maker.add(group, title, budget_of(input), input, called_by(input.operations));
 }
 
 void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,
@@ -90,42 +145,116 @@ void add_every_edge_elsewhere(CaseMaker& maker, const std::string& group, Operat
 void add_split_sequence(CaseMaker& maker, const std::string& group, const std::string& file,
                         std::uint32_t length, Random& random) {
   const PolygonMesh mesh = maker.mesh(file);
-  TriangleSet triangles(mesh);
-  std::vector<Operation> operations;
-  while (operations.size() < length) {
-    const std::vector<VertexPair> edges = triangles.edges();
-    const VertexPair edge = edges[random.below(static_cast<std::uint32_t>(edges.size()))];
-    const bool at_boundary = operations.size() % 3 != 2;
-    if (triangles.is_boundary(edge) != at_boundary) continue;
-    operations.push_back({OperationKind::kSplit, edge.first, edge.second});
-    triangles.split(edge);
-  }
   add_operations(
       maker, group,
       std::to_string(length) + " random splits of " + file + ", inside and at its boundary",
-      {file, mesh, Anchoring::kAsBuilt, operations});
+      {file, mesh, Anchoring::kAsBuilt, draw_boundary_splits(mesh, {}, length, random)});
+}
+
+void add_more_boundary_splits(CaseMaker& maker, const std::string& group, Random& random) {
+  const auto add = [&](const std::string& name, const PolygonMesh& mesh,
+                       const std::vector<Operation>& first) {
+    add_operations(
+        maker, group, "3 random splits of " + name + ", inside and at its boundary",
+        {name, mesh, Anchoring::kOnEachEdge, draw_boundary_splits(mesh, first, 3, random)});
+  };
+  const PolygonMesh fan = shaken(maker.mesh("fan.obj"), random);
+  const std::vector<Operation> first = draw_boundary_splits(fan, {}, 1, random);
+  for (const MovedMesh& moved : moved_meshes(fan, {first[0].a, first[0].b})) {
+    add("fan.obj, shaken, " + moved.how, moved.mesh,
+        {{OperationKind::kSplit, moved.edge.first, moved.edge.second}});
+  }
+  const PolygonMesh wide = open_fan(22);
+  add("a fan of 22 triangles", wide, {{OperationKind::kSplit, 0, 1}});
+  const PolygonMesh large = open_grid(16, random);
+  add("a square of 512 triangles", large, {});
+  const PolygonMesh grid = shaken(maker.mesh("grid_4x4.obj"), random);
+  const OperationsInput input{"grid_4x4.obj, shaken", grid, Anchoring::kOnEachEdge,
+                              draw_boundary_splits(grid, {}, 8, random)};
+  maker.add_fresh(group,
+                  "8 random splits of grid_4x4.obj, shaken, inside and at its boundary, before "
+                  "anything else",
+                  budget_of(input), input, called_by(input.operations));
 }
 
 void add_sequence(CaseMaker& maker, const std::string& group, const std::string& file,
                   std::uint32_t length, std::uint32_t flips_of_ten, Random& random) {
   const PolygonMesh mesh = maker.mesh(file);
-  TriangleSet triangles(mesh);
+  add_operations(maker, group, sequence_text(length, flips_of_ten) + file,
+                 {file, mesh, Anchoring::kAsBuilt,
+                  draw_operations(mesh, {}, length, flips_of_ten, random)});
+}
+
+void add_moved_sequences(CaseMaker& maker, const std::string& group, OperationKind kind,
+                         const std::vector<std::string>& files, Random& random) {
+  constexpr std::uint32_t kLength = 4;
+  const std::string& file = files[random.below(static_cast<std::uint32_t>(files.size()))];
+  const PolygonMesh mesh = shaken(maker.mesh(file), random);
+  const std::vector<Operation> first = draw_operations(mesh, {}, 1, flips(kind), random);
+  const VertexPair edge{first[0].a, first[0].b};
+  for (const MovedMesh& moved : moved_meshes(mesh, edge)) {
+    const std::string name = file + ", shaken, " + moved.how;
+    add_operations(maker, group, sequence_text(kLength, flips(kind)) + name,
+                   {name, moved.mesh, Anchoring::kOnEachEdge,
+                    draw_operations(moved.mesh, {{kind, moved.edge.first, moved.edge.second}},
+                                    kLength, flips(kind), random)});
+  }
+}
+
+void add_high_valences(CaseMaker& maker, const std::string& group, OperationKind kind,
+                       Random& random) {
+  const PolygonMesh mesh = many_valences(13, 24, random);
+  std::vector<std::uint32_t> valence(mesh.positions.size(), 0);
+  for (const auto& triangle : mesh.polygons) {
+    for (std::uint32_t corner : triangle)
+      ++valence[corner];
+  }
+  std::set<std::uint32_t> done;
   std::vector<Operation> operations;
-  while (operations.size() < length) {
-    const std::vector<VertexPair> edges = triangles.edges();
-    const VertexPair edge = edges[random.below(static_cast<std::uint32_t>(edges.size()))];
-    const bool flip = random.below(10) < flips_of_ten;
-    if (flip ? !triangles.can_flip(edge) : triangles.is_boundary(edge)) continue;
-    operations.push_back(
-        {flip ? OperationKind::kFlip : OperationKind::kSplit, edge.first, edge.second});
-    if (flip) {
-      triangles.flip(edge);
-    } else {
-      triangles.split(edge);
+  for (std::uint32_t v = 0; v < valence.size(); ++v) {
+    if (valence[v] < 13 || !done.insert(valence[v]).second) continue;
+    for (const auto& triangle : mesh.polygons) {
+      const auto corner = std::find(triangle.begin(), triangle.end(), v);
+      if (corner == triangle.end()) continue;
+      const std::uint32_t other = corner + 1 == triangle.end() ? triangle[0] : corner[1];
+      operations.push_back({kind, std::min(v, other), std::max(v, other)});
+      break;
     }
   }
-  add_operations(maker, group, sequence_text(length, flips_of_ten) + file,
-                 {file, mesh, Anchoring::kAsBuilt, operations});
+  add_operations(maker, group,
+                 std::to_string(operations.size()) + " " + verb(kind) +
+                     "s at vertices with 13 to 24 neighbours",
+                 {"double pyramids", mesh, Anchoring::kOnEachEdge, operations});
+}
+
+void add_constant_work(CaseMaker& maker, const std::string& group, OperationKind kind,
+                       std::uint32_t n) {
+  const std::string count = std::to_string(2 * n * n) + " triangles";
+  maker.add(group,
+            std::string(verb(kind)) + " one edge of a mesh of " + count + ": constant work",
+            5000,
+            OperationsInput{"the mesh of " + count,
+                            in_build_order(torus_mesh(n, n)),
+                            Anchoring::kOnEdge,
+                            {{kind, 0, 1}}});
+}
+
+void add_large_sequence(CaseMaker& maker, const std::string& group, OperationKind kind,
+                        Random& random) {
+  const PolygonMesh mesh = in_build_order(torus_mesh(24, 24));
+  add_operations(maker, group, sequence_text(4, flips(kind)) + "a torus of 1152 triangles",
+                 {"a torus of 1152 triangles", mesh, Anchoring::kOnEachEdge,
+                  draw_operations(mesh, {}, 4, flips(kind), random)});
+}
+
+void add_fresh_sequence(CaseMaker& maker, const std::string& group, OperationKind kind,
+                        const std::string& file, std::uint32_t length, Random& random) {
+  const PolygonMesh mesh = shaken(maker.mesh(file), random);
+  const OperationsInput input{file + ", shaken", mesh, Anchoring::kOnEachEdge,
+                              draw_operations(mesh, {}, length, flips(kind), random)};
+  maker.add_fresh(group,
+                  sequence_text(length, flips(kind)) + file + ", shaken, before anything else",
+                  budget_of(input), input, called_by(input.operations));
 }
 
 }  // namespace meshgrade

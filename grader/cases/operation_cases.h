@@ -37,10 +37,36 @@ void add_every_edge_elsewhere(CaseMaker& maker, const std::string& group, Operat
 void add_split_sequence(CaseMaker& maker, const std::string& group, const std::string& file,
                         std::uint32_t length, Random& random);
 
+/// Adds such sequences on open meshes: under each map of moved_meshes(), with 22 triangles
+/// around a vertex, on a mesh of 512 triangles, and in a process in which nothing was called
+/// before. Their edges are anchored by what is around them.
+void add_more_boundary_splits(CaseMaker& maker, const std::string& group, Random& random);
+
 /// Adds a random sequence of `length` operations on inner edges of a mesh file. Each is one
 /// that has a single right outcome: flips never double an edge. `flips_of_ten` says how many
 /// of ten operations are flips.
 void add_sequence(CaseMaker& maker, const std::string& group, const std::string& file,
                   std::uint32_t length, std::uint32_t flips_of_ten, Random& random);
+
+/// Adds sequences of four operations of one kind on a mesh that is drawn from these files and
+/// shaken, under each map of moved_meshes(). Their edges are anchored by what is around them.
+void add_moved_sequences(CaseMaker& maker, const std::string& group, OperationKind kind,
+                         const std::vector<std::string>& files, Random& random);
+
+/// Adds one operation of this kind at a vertex of each valence from 13 to 24.
+void add_high_valences(CaseMaker& maker, const std::string& group, OperationKind kind,
+                       Random& random);
+
+/// Adds what is one operation on a torus of 2 n n triangles, with a budget that allows no walk
+/// over the mesh.
+void add_constant_work(CaseMaker& maker, const std::string& group, OperationKind kind,
+                       std::uint32_t n);
+
+/// Adds four operations on a closed mesh of 1152 triangles, and `length` on a mesh file in a
+/// process in which nothing was called before. Their edges are anchored by what is around them.
+void add_large_sequence(CaseMaker& maker, const std::string& group, OperationKind kind,
+                        Random& random);
+void add_fresh_sequence(CaseMaker& maker, const std::string& group, OperationKind kind,
+                        const std::string& file, std::uint32_t length, Random& random);
 
 }  // namespace meshgrade

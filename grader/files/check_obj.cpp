@@ -1,26 +1,52 @@
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "grader/files/checked_input.h"
 #include "grader/files/file_bytes.h"
 #include "grader/files/text_scanner.h"
+#include "grader/files/utf8_text.h"
 
 namespace meshgrade {
 namespace {
 
-constexpr std::array<std::string_view, 26> kIgnoredKeywords = {
-    "vt",    "vn",       "vp",       "vc",     "g",          "o",         "s",
-    "mg",    "l",        "p",        "mtllib", "usemtl",     "usemap",    "maplib",
-    "bevel", "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj", "cstype",
-    "deg",   "curv",     "surf",     "parm",   "end"};
+/// Words of the format that say nothing of the shape, or belong to a curve or surface that is
+/// counted itself.
+constexpr std::array<std::string_view, 38> kPassedOver = {
+    "vt",   "vn",       "vp",         "vc",        "vw",     "g",     "o",      "s",
+    "mg",   "mtllib",   "usemtl",     "usemap",    "maplib", "bevel", "lod",    "c_interp",
+    "csh",  "d_interp", "shadow_obj", "trace_obj", "ctech",  "stech", "cstype", "deg",
+    "bmat", "step",     "parm",       "trim",      "hole",   "scrv",  "sp",     "end",
+    "con",  "res",      "usemat",     "matlib",    "illum",  "curv2"};
 
-/// A face that names a vertex which had not come yet when its line was read.
-struct ForwardFace {
+/// Words of the format that carry shapes which are no polygons.
+struct OtherShape {
+  std::string_view keyword;
+  const char* one;
+  const char* many;
+};
+constexpr std::array<OtherShape, 9> kOtherShapes = {{
+    {"l", "line", "lines"},
+    {"p", "point", "points"},
+    {"curv", "free-form curve", "free-form curves"},
+    {"surf", "free-form surface", "free-form surfaces"},
+    {"cdc", "free-form curve", "free-form curves"},
+    {"bsp", "free-form surface", "free-form surfaces"},
+    {"bzp", "free-form surface", "free-form surfaces"},
+    {"cdp", "free-form surface", "free-form surfaces"},
+    {"call", "other file ('call')", "other files ('call')"},
+}};
+
+/// A face as its line names it. It may name vertices that come later.
+struct NamedFace {
   std::string place;
-  std::size_t face;
   std::vector<std::uint32_t> corners;
+};
+
+/// The first line that starts with no word of the format.
+struct UnknownLine {
+  std::string place;
+  std::string keyword;
 };
 
 /// The vertex of "7", "7/1", "7//3", "-2": counted from 0.
@@ -55,24 +81,25 @@ void check_vertex(TextScanner& scanner, CheckedInput& input) {
   input.exact_positions.push_back(point);
 }
 
-void check_face(TextScanner& scanner, CheckedInput& input, std::vector<ForwardFace>& forward) {
-  const std::size_t n_so_far = input.exact_positions.size();
-  std::vector<std::uint32_t> corners;
-  input.bytes += 'f';
-  for (auto word = scanner.next_word(); !word.empty(); word = scanner.next_word()) {
-    corners.push_back(corner_vertex(scanner, word, n_so_far));
-    input.bytes += ' ';
-    input.bytes += word.substr(0, word.find('/'));
+NamedFace read_face(TextScanner& scanner, std::size_t n_vertices_so_far) {
+  NamedFace face{scanner.place(), {}};
+  for (auto word = scanner.next_word(); !word.empty(); word = scanner.next_word())
+    face.corners.push_back(corner_vertex(scanner, word, n_vertices_so_far));
+  return face;
+}
+
+/// Counts what is no polygon. False if the word is none of the format.
+bool count_other_line(const TextScanner& scanner, std::string_view keyword,
+                      ReadingNotes& notes) {
+  const auto shape =
+      std::find_if(kOtherShapes.begin(), kOtherShapes.end(),
+                   [&](const OtherShape& other) { return other.keyword == keyword; });
+  if (shape != kOtherShapes.end()) {
+    const std::size_t count = keyword == "p" ? scanner.count_words() : 1;
+    notes.left_out(shape->one, shape->many, scanner.place(), count);
+    return true;
   }
-  input.bytes += '\n';
-  const bool is_forward = std::any_of(corners.begin(), corners.end(),
-                                      [&](std::uint32_t v) { return v >= n_so_far; });
-  if (is_forward) {
-    forward.push_back({scanner.place(), input.n_faces, std::move(corners)});
-  } else {
-    check_polygon(scanner.file(), scanner.place(), input.n_faces, corners, n_so_far, 1);
-  }
-  ++input.n_faces;
+  return std::find(kPassedOver.begin(), kPassedOver.end(), keyword) != kPassedOver.end();
 }
 
 /// Puts a line that goes on after a backslash onto one line. Empty lines follow it, so that
@@ -81,13 +108,11 @@ std::string join_lines(std::string_view text) {
   std::string joined;
   std::size_t moved = 0;
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    std::string_view line = take_line(text);
+    const std::size_t last = line.find_last_not_of(" \t");
     const bool goes_on =
-        line.ends_with('\\') && line.find('#') == std::string_view::npos && !text.empty();
-    joined += goes_on ? line.substr(0, line.size() - 1) : line;
+        last != line.npos && line[last] == '\\' && line.find('#') == line.npos && !text.empty();
+    joined += goes_on ? line.substr(0, last) : line;
     joined += goes_on ? ' ' : '\n';
     moved += goes_on ? 1 : 0;
     if (!goes_on) joined.append(std::exchange(moved, 0), '\n');
@@ -95,31 +120,51 @@ std::string join_lines(std::string_view text) {
   return joined;
 }
 
+void admit_faces(const std::filesystem::path& file, std::vector<NamedFace>& faces,
+                 CheckedInput& input) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    auto& [place, corners] = faces[f];
+    if (!admit_polygon(file, place, f, corners, input.exact_positions.size(), 1, input.notes)) {
+      continue;
+    }
+    input.bytes += 'f';
+    for (const std::uint32_t v : corners)
+      input.bytes += ' ' + std::to_string(v + 1);
+    input.bytes += '\n';
+    ++input.n_faces;
+  }
+}
+
 }  // namespace
 
-CheckedInput check_obj(const std::filesystem::path& file, std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+CheckedInput check_obj(const std::filesystem::path& file, std::string_view bytes) {
+  const Utf8Text utf8(bytes);
+  std::string_view text = utf8.view();
   std::string joined;
   if (text.find('\\') != std::string_view::npos) text = joined = join_lines(text);
   TextScanner scanner(file, text);
   CheckedInput input;
-  std::vector<ForwardFace> forward;
+  std::vector<NamedFace> faces;
+  UnknownLine unknown;
   while (scanner.next_line()) {
     const std::string_view keyword = scanner.next_word();
     if (keyword == "v") {
       check_vertex(scanner, input);
-    } else if (keyword == "f") {
-      check_face(scanner, input, forward);
-    } else if (std::find(kIgnoredKeywords.begin(), kIgnoredKeywords.end(), keyword) ==
-               kIgnoredKeywords.end()) {
-      scanner.refuse(in_quotes(keyword) +
-                     " starts no line of an OBJ file; is it another format?");
+    } else if (keyword == "f" || keyword == "fo") {
+      faces.push_back(read_face(scanner, input.exact_positions.size()));
+    } else if (!count_other_line(scanner, keyword, input.notes)) {
+      if (unknown.place.empty()) unknown = {scanner.place(), in_quotes(keyword)};
+      input.notes.left_out("line that starts with no word of OBJ (" + unknown.keyword + ")",
+                           "lines that start with no word of OBJ (" + unknown.keyword + " ...)",
+                           scanner.place());
     }
   }
-  for (const ForwardFace& face : forward) {
-    check_polygon(file, face.place, face.face, face.corners, input.exact_positions.size(), 1);
+  if (faces.empty() && !unknown.place.empty()) {
+    refuse_file(file, unknown.place,
+                unknown.keyword + " starts no line of an OBJ file, and no line is a face; is " +
+                    "it another format?");
   }
+  admit_faces(file, faces, input);
   return input;
 }
 

@@ -47,38 +47,40 @@ std::string lower_extension(const std::filesystem::path& file) {
   return extension;
 }
 
-std::string in_quotes(std::string_view words) {
-  constexpr std::size_t kLongest = 24;
-  std::string text(words.substr(0, kLongest));
+std::string in_quotes(std::string_view words, std::size_t longest) {
+  std::string text(words.substr(0, longest));
   for (char& c : text) {
     if (c < ' ' || c > '~') c = '?';
   }
-  return "'" + text + (words.size() > kLongest ? "...'" : "'");
+  return "'" + text + (words.size() > longest ? "...'" : "'");
 }
 
-void check_polygon(const std::filesystem::path& file, const std::string& place,
-                   std::size_t face, const std::vector<std::uint32_t>& corners,
-                   std::size_t n_vertices, unsigned first_number) {
+void check_corner(const std::filesystem::path& file, const std::string& place, std::size_t face,
+                  std::uint32_t vertex, std::size_t n_vertices, unsigned first_number) {
+  if (vertex < n_vertices) return;
+  refuse_file(file, place,
+              "face f" + std::to_string(face) + " asks for vertex " +
+                  std::to_string(std::uint64_t{vertex} + first_number) + ", but the " +
+                  std::to_string(n_vertices) + " vertices are numbered from " +
+                  std::to_string(first_number));
+}
+
+void check_polygon(const std::filesystem::path& file, std::size_t face,
+                   const std::vector<std::uint32_t>& corners, std::size_t n_vertices) {
   const std::string name = "face f" + std::to_string(face);
   if (corners.size() < 3) {
     refuse_file(
-        file, place,
+        file, "",
         name + " has " + std::to_string(corners.size()) + " corners; a face needs at least 3");
   }
-  for (const std::uint32_t v : corners) {
-    if (v >= n_vertices) {
-      refuse_file(file, place,
-                  name + " asks for vertex " + std::to_string(std::uint64_t{v} + first_number) +
-                      ", but the " + std::to_string(n_vertices) +
-                      " vertices are numbered from " + std::to_string(first_number));
-    }
-  }
+  for (const std::uint32_t v : corners)
+    check_corner(file, "", face, v, n_vertices, 0);
   std::vector<std::uint32_t> sorted = corners;
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) {
-    refuse_file(file, place,
-                name + " has vertex " + std::to_string(*twice + first_number) +
+    refuse_file(file, "",
+                name + " has vertex " + std::to_string(*twice) +
                     " at two corners; the corners of a face must differ");
   }
 }

@@ -37,13 +37,19 @@ bool parse_integer(std::string_view word, std::int64_t& number) {
   return parse_whole(word, number);
 }
 
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const std::string_view line = text.substr(0, end);
+  const std::size_t n_ends = text.substr(end).starts_with("\r\n") ? 2 : 1;
+  text.remove_prefix(std::min(end + n_ends, text.size()));
+  return line;
+}
+
 bool TextScanner::next_line() {
   while (!text_.empty()) {
     ++line_;
-    const std::size_t end = std::min(text_.find('\n'), text_.size());
-    rest_of_line_ = text_.substr(0, end);
-    text_.remove_prefix(std::min(end + 1, text_.size()));
-    rest_of_line_ = rest_of_line_.substr(0, rest_of_line_.find('#'));
+    rest_of_line_ = take_line(text_);
+    if (has_comments_) rest_of_line_ = rest_of_line_.substr(0, rest_of_line_.find('#'));
     if (has_word()) return true;
   }
   return false;
@@ -53,6 +59,10 @@ void TextScanner::require_line(const std::string& expected) {
   if (!next_line()) {
     refuse("the file ends where " + expected + " should follow; it may be cut off");
   }
+}
+
+void TextScanner::require_word(const std::string& expected) {
+  if (!has_word()) require_line(expected);
 }
 
 std::string_view TextScanner::next_word() {
@@ -68,15 +78,39 @@ bool TextScanner::has_word() const {
   return rest_of_line_.find_first_not_of(kBlanks) != std::string_view::npos;
 }
 
-double TextScanner::next_number(const std::string& expected) {
-  const std::string_view word = next_word();
-  double number = 0;
-  if (word.empty()) refuse("the line ends where " + expected + " should follow");
-  if (!parse_number(word, number)) {
-    refuse(in_quotes(word) + " where " + expected +
-           " should be; coordinates are finite numbers up to 3.4e38");
+std::size_t TextScanner::count_words() const {
+  TextScanner ahead = *this;
+  std::size_t n_words = 0;
+  while (!ahead.next_word().empty())
+    ++n_words;
+  return n_words;
+}
+
+bool TextScanner::try_number(double& number) {
+  const std::string_view before = rest_of_line_;
+  if (parse_number(next_word(), number)) return true;
+  rest_of_line_ = before;
+  return false;
+}
+
+bool TextScanner::try_integer(std::int64_t& number) {
+  const std::string_view before = rest_of_line_;
+  if (parse_integer(next_word(), number) &&
+      number >= std::numeric_limits<std::int32_t>::min() &&
+      number <= std::numeric_limits<std::uint32_t>::max()) {
+    return true;
   }
-  return number;
+  rest_of_line_ = before;
+  return false;
+}
+
+double TextScanner::next_number(const std::string& expected) {
+  double number = 0;
+  if (try_number(number)) return number;
+  const std::string_view word = next_word();
+  if (word.empty()) refuse("the line ends where " + expected + " should follow");
+  refuse(in_quotes(word) + " where " + expected +
+         " should be; coordinates are finite numbers up to 3.4e38");
 }
 
 Point3 TextScanner::next_point(const std::string& expected) {
@@ -87,14 +121,11 @@ Point3 TextScanner::next_point(const std::string& expected) {
 }
 
 std::int64_t TextScanner::next_integer(const std::string& expected) {
-  const std::string_view word = next_word();
   std::int64_t number = 0;
+  if (try_integer(number)) return number;
+  const std::string_view word = next_word();
   if (word.empty()) refuse("the line ends where " + expected + " should follow");
-  if (!parse_integer(word, number) || number < std::numeric_limits<std::int32_t>::min() ||
-      number > std::numeric_limits<std::uint32_t>::max()) {
-    refuse(in_quotes(word) + " where " + expected + " should be; write a whole number");
-  }
-  return number;
+  refuse(in_quotes(word) + " where " + expected + " should be; write a whole number");
 }
 
 std::uint32_t TextScanner::next_index(const std::string& expected) {

@@ -93,6 +93,16 @@ std::vector<Ref> along_edge(const MeshDump& before, const MeshDump& expected, Re
   return list;
 }
 
+/// An old element that was deleted still stands for itself, where nobody took its place: it is
+/// told by its name then.
+template <class Records>
+void keep_deleted(const Records& after, const std::vector<Ref>& parts, std::vector<Ref>& map) {
+  for (Ref part : parts) {
+    if (part < after.size() && after[part].live == 0 && map[part] == kUnsetRef)
+      map[part] = part;
+  }
+}
+
 }  // namespace
 
 Correspondence find_correspondence(const MeshDump& before, const MeshDump& after,
@@ -124,6 +134,9 @@ Correspondence find_correspondence(const MeshDump& before, const MeshDump& after
     }
     if (!is_split) break;
   }
+  keep_deleted(after.halfedges, problem.halfedges.expected, best.halfedges);
+  keep_deleted(after.edges, problem.edges.expected, best.edges);
+  keep_deleted(after.faces, problem.faces.expected, best.faces);
   return best;
 }
 

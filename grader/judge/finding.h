@@ -55,6 +55,8 @@ struct CaseJudgement {
   Verdict verdict = Verdict::kPassed;
   std::vector<Finding> findings;  ///< the most telling first; empty if passed
   std::string note;               ///< for example why the case is not judged
+  /// Of a case that failed: how many of the pointers that had to change are right, from 0 to 1.
+  double right_share = 0.0;
   /// Not judged, because the judge saw that another exercise is to blame: takes no points.
   bool excused = false;
   /// The code keeps something from one call to the next: alone, this case passes.

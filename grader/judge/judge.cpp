@@ -9,6 +9,7 @@
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
 #include "grader/judge/findings.h"
+#include "grader/judge/library_check.h"
 #include "meshedit/fault.h"
 
 namespace meshgrade {
@@ -159,7 +160,7 @@ void tell_exit(const Outcome& outcome, Finding& finding) {
       "the code ended the whole program (exit status " + std::to_string(outcome.code) + ")";
 }
 
-/// All endings but kDone and kFault.
+/// All endings but kDone, kFault and kLibraryCheck.
 void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
   Finding finding;
   finding.stack = outcome.stack;
@@ -264,7 +265,13 @@ ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric) {
   if (found == judges.end()) {
     throw UserError(rubric.place + ": there is no exercise \"" + rubric.name + "\"");
   }
-  return found->second(rubric);
+  ExerciseJudge judge = found->second(rubric);
+  for (const Group& group : rubric.groups) {
+    if (group.partial != Partial::kPointers || judge.counts_pointers) continue;
+    throw UserError(group.place + ": " + rubric.name +
+                    " sets no pointers: partial can be \"none\" or \"cases\" here");
+  }
+  return judge;
 }
 
 CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
@@ -289,6 +296,10 @@ CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
   const bool wrong_before = !judgement.findings.empty();
   if (outcome.ending == Ending::kFault) {
     judge_fault(judge, outcome, judgement);
+    if (!wrong_before) show_stop(judge, task, judgement);
+  } else if (outcome.ending == Ending::kLibraryCheck) {
+    judgement.verdict = Verdict::kCrashed;
+    judgement.findings.push_back(library_check_finding(outcome));
     if (!wrong_before) show_stop(judge, task, judgement);
   } else if (outcome.ending != Ending::kDone) {
     judge_ending(outcome, judgement);

@@ -29,6 +29,14 @@ struct JudgeTask {
 /// takes out what a case rules out.
 using Conventions = std::set<std::string>;
 
+/// What the contract leaves open and a caller may rely on all the same: lines of the reference
+/// that another right solution has otherwise.
+struct OpenChoice {
+  const char* was;
+  const char* becomes;
+  const char* meaning;  ///< "one that marks both halves of the old edge as new"
+};
+
 /// What the judge knows of an exercise.
 struct ExerciseJudge {
   std::vector<std::string> functions;  ///< that the student writes: "HalfedgeMesh::flipEdge"
@@ -44,6 +52,11 @@ struct ExerciseJudge {
   /// Adds to the finding of a fault a picture of what the code had done until then; none if
   /// there is nothing to show. @throws WireError if the interrupted state is malformed
   void (*show_stop)(const JudgeTask& task, Finding& finding) = nullptr;
+
+  /// Whether it tells CaseJudgement::right_share.
+  bool counts_pointers = false;
+
+  std::vector<OpenChoice> choices = {};  ///< besides what the reference chooses
 };
 
 /// Makes sure of a claim that all steps are done. Call it when no step is wrong.
@@ -51,7 +64,8 @@ struct ExerciseJudge {
 void require_all_steps(const Outcome& outcome, std::size_t asked);
 
 /// The judge of an exercise, set up for the options of its rubric.
-/// @throws UserError if an option is unknown or has a value that does not exist
+/// @throws UserError if an option is unknown or has a value that does not exist, or points are
+///         given for pointers where there are none
 ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric);
 
 /// Judges one case: its steps, then how it ended.

@@ -82,12 +82,12 @@ std::vector<Ref> match_by_positions(const Level& level, const MeshDump& mesh) {
 
 /// By the variant that fits best.
 std::size_t count_wrong(const Level& level, const std::vector<Ref>& match, const MeshDump& mesh,
-                        double allowed) {
+                        const std::vector<LocalScale>& scales) {
   if (match.empty()) return std::numeric_limits<std::size_t>::max();
   const std::vector<Point3> actual = matched_points(match, mesh);
   std::size_t fewest = actual.size();
   for (const auto& [name, polygons] : level.by_variant)
-    fewest = std::min(fewest, count_wrong(polygons, actual, allowed));
+    fewest = std::min(fewest, count_wrong(polygons, actual, scales));
   return fewest;
 }
 
@@ -101,20 +101,20 @@ std::vector<Point3> matched_points(const std::vector<Ref>& match, const MeshDump
 }
 
 std::size_t count_wrong(const PolygonMesh& right, const std::vector<Point3>& actual,
-                        double allowed) {
+                        const std::vector<LocalScale>& scales) {
   std::size_t wrong = 0;
   for (std::size_t v = 0; v < actual.size(); ++v)
-    wrong += distance(right.positions[v], actual[v]) <= allowed ? 0 : 1;
+    wrong += distance(right.positions[v], actual[v]) <= scales[v].allowed ? 0 : 1;
   return wrong;
 }
 
 std::vector<Ref> match_level(const Level& level, const std::vector<Ref>& old_to_mine,
-                             const MeshDump& mesh, double allowed) {
+                             const MeshDump& mesh, const std::vector<LocalScale>& scales) {
   std::vector<Ref> by_numbers = match_by_numbers(level, old_to_mine, mesh);
-  const std::size_t wrong = count_wrong(level, by_numbers, mesh, allowed);
+  const std::size_t wrong = count_wrong(level, by_numbers, mesh, scales);
   if (wrong == 0) return by_numbers;
   std::vector<Ref> by_positions = match_by_positions(level, mesh);
-  return count_wrong(level, by_positions, mesh, allowed) < wrong ? by_positions : by_numbers;
+  return count_wrong(level, by_positions, mesh, scales) < wrong ? by_positions : by_numbers;
 }
 
 }  // namespace meshgrade

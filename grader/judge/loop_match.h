@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/judge/local_scale.h"
 #include "grader/judge/loop_misconceptions.h"
 #include "grader/mesh/mesh_dump.h"
 #include "grader/mesh/polygon_mesh.h"
@@ -20,18 +21,18 @@ struct Level {
   std::map<std::string, PolygonMesh> by_variant;
 };
 
-/// How many of these points are further than `allowed` from the right ones.
+/// How many of these points are further from the right ones than is allowed there.
 std::size_t count_wrong(const PolygonMesh& right, const std::vector<Point3>& actual,
-                        double allowed);
+                        const std::vector<LocalScale>& scales);
 
 /// The student's vertex for each vertex of the level. Of the ways in which the two surfaces
 /// fit together (a symmetric mesh has many), one by which few positions are wrong: none, if
 /// there is such a way. Those with the old numbers come first.
 /// @param old_to_mine  the student's vertex for each vertex of the mesh before the step
-/// @param allowed      the distance from which on a position is wrong
+/// @param scales       how far each vertex of the level may be off
 /// @return empty if the triangles are joined in another way
 std::vector<Ref> match_level(const Level& level, const std::vector<Ref>& old_to_mine,
-                             const MeshDump& mesh, double allowed);
+                             const MeshDump& mesh, const std::vector<LocalScale>& scales);
 
 /// The positions in `mesh` of the vertices of a level.
 std::vector<Point3> matched_points(const std::vector<Ref>& match, const MeshDump& mesh);

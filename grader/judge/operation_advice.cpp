@@ -1,6 +1,8 @@
 #include "grader/judge/operation_advice.h"
 
 #include <array>
+#include <map>
+#include <set>
 
 #include "grader/base/text.h"
 
@@ -40,6 +42,22 @@ std::string count_advice(const Counts& expected, const Counts& actual) {
     }
   }
   return join(parts, "; ");
+}
+
+bool is_about(const std::string& rule, const std::string& pointer) {
+  static const std::map<std::string, std::set<std::string>> rules{
+      {"next", {"next-permutation", "next-face", "face-loop", "twin-opposite"}},
+      {"twin", {"twin-involution", "twin-edge", "twin-opposite", "vertex-fan"}},
+      {"vertex", {"twin-opposite", "vertex-fan", "anchor", "along-edge"}},
+      {"edge", {"twin-edge", "anchor"}},
+      {"face", {"next-face", "face-loop", "boundary", "anchor"}},
+      {"halfedge", {"anchor", "along-edge", "face-loop", "vertex-fan"}},
+  };
+  // A mesh that keeps its rules and is another one can be so by any pointer.
+  static const std::set<std::string> of_any{"live-pointer", "surface", "identity",
+                                            "orientation",  "simple",  "counts"};
+  const auto found = rules.find(pointer.substr(pointer.rfind('.') + 1));
+  return of_any.count(rule) != 0 || (found != rules.end() && found->second.count(rule) != 0);
 }
 
 const Misconceptions& split_misconceptions() {

@@ -14,6 +14,9 @@ namespace meshgrade {
 /// what is left over.
 std::string count_advice(const Counts& expected, const Counts& actual);
 
+/// Whether a wrong pointer, such as "h12.next" or "v3.halfedge", can break a rule.
+bool is_about(const std::string& rule, const std::string& pointer);
+
 /// The misconceptions about the new vertex of a split.
 const Misconceptions& split_misconceptions();
 

@@ -9,6 +9,7 @@
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
 #include "grader/judge/findings.h"
+#include "grader/judge/local_scale.h"
 #include "grader/judge/operation_advice.h"
 #include "grader/judge/operation_model.h"
 #include "grader/judge/pointer_diff.h"
@@ -131,27 +132,54 @@ class StepJudge {
     return edge_name(edge_) + " (" + edge_ends(before_, edge_) + ")";
   }
 
-  /// Every old element is still there. Deleting one and making another in its place would leave
-  /// the handles of whoever holds the old one dangling.
+  /// Every old element is still there, so that the handles of whoever holds one stay good. A
+  /// split may put new half-edges and faces, and its own edge, in place of old ones: the
+  /// surface and the names of vertices and other edges are the same then.
   bool keeps_old_elements() {
     const std::size_t known = judgement_.findings.size();
-    const auto check = [&](const auto& old_list, const auto& new_list, auto name) {
+    const bool may_replace =
+        operation_.kind == OperationKind::kSplit && count(after_) == count(answer().mesh);
+    check_kept(before_.vertices, after_.vertices, vertex_name);
+    check_kept(before_.edges, after_.edges, edge_name, may_replace ? edge_ : kUnsetRef);
+    if (!may_replace) {
+      check_kept(before_.faces, after_.faces, face_name);
+      check_kept(before_.halfedges, after_.halfedges, halfedge_name);
+    }
+    check_kept(before_.boundaries, after_.boundaries,
+               [](Ref b) { return face_name(b | kBoundaryBit); });
+    return judgement_.findings.size() == known;
+  }
+
+  static bool is_gone(const auto& old_list, const auto& new_list, Ref i) {
+    return old_list[i].live != 0 && (i >= new_list.size() || new_list[i].live == 0);
+  }
+
+  void check_kept(const auto& old_list, const auto& new_list, auto name, Ref free = kUnsetRef) {
+    for (Ref i = 0; i < old_list.size(); ++i) {
+      if (i == free || !is_gone(old_list, new_list, i)) continue;
+      report("counts", std::string(rule_meaning("counts")), name(i),
+             "the old element " + name(i) + " is still in the mesh", "it was deleted",
+             "calls of deleteVertex, deleteEdge, deleteFace, deleteHalfedge");
+      return;
+    }
+  }
+
+  /// Says which old elements a right split has put others in place of.
+  void note_replaced() {
+    std::vector<std::string> names;
+    const auto add = [&](const auto& old_list, const auto& new_list, auto name) {
       for (Ref i = 0; i < old_list.size(); ++i) {
-        if (old_list[i].live == 0) continue;
-        if (i < new_list.size() && new_list[i].live != 0) continue;
-        report("counts", std::string(rule_meaning("counts")), name(i),
-               "the old element " + name(i) + " is still in the mesh", "it was deleted",
-               "calls of deleteVertex, deleteEdge, deleteFace, deleteHalfedge");
-        return;
+        if (is_gone(old_list, new_list, i)) names.push_back(name(i));
       }
     };
-    check(before_.vertices, after_.vertices, vertex_name);
-    check(before_.edges, after_.edges, edge_name);
-    check(before_.faces, after_.faces, face_name);
-    check(before_.halfedges, after_.halfedges, halfedge_name);
-    check(before_.boundaries, after_.boundaries,
-          [](Ref b) { return face_name(b | kBoundaryBit); });
-    return judgement_.findings.size() == known;
+    add(before_.edges, after_.edges, edge_name);
+    add(before_.faces, after_.faces, face_name);
+    add(before_.halfedges, after_.halfedges, halfedge_name);
+    if (names.empty()) return;
+    judgement_.note =
+        "right, but the split deletes old elements and makes new ones in their "
+        "place: whoever holds a handle to one cannot use it any more. They can "
+        "be kept: only their pointers change";
   }
 
   /// Nothing about the surface and its elements has changed.
@@ -161,7 +189,9 @@ class StepJudge {
 
   void judge_untouched() {
     const bool is_flip = operation_.kind == OperationKind::kFlip;
-    if (is_flip && (boundary_ || would_double())) return;
+    const bool may_refuse = boundary_ || (is_flip && would_double());
+    if (may_refuse && !keeps_positions()) return;
+    if (is_flip && may_refuse) return;
     if (!is_flip && boundary_) {
       if (task_.asked.group != "boundary_split") return;
       judgement_.verdict = Verdict::kNotImplemented;
@@ -195,6 +225,7 @@ class StepJudge {
     if (!keeps_rules(doubled) || !has_counts(expected) ||
         !require_surface(expected, kUnsetRef)) {
       explain(expected, kUnsetRef);
+      measure_share(expected, kUnsetRef);
       return;
     }
     if (keeps_positions() && step_.returned != edge_) {
@@ -203,27 +234,89 @@ class StepJudge {
              "returned: " + edge_name(step_.returned), "the return statement of flipEdge");
     }
     add_figure(expected, kUnsetRef);
+    measure_share(expected, kUnsetRef);
   }
 
   void judge_split() {
     const bool may_refuse = boundary_ && task_.asked.group != "boundary_split";
     const auto [expected, m] = answer();
+    if (boundary_ && is_counted_as_inner()) {
+      report_split_as_inner(expected, m);
+      return;
+    }
     if (!keeps_rules(false) || !has_counts(expected) || !require_surface(expected, edge_)) {
       explain(expected, m);
       if (may_refuse) {
         judgement_.findings[0].look_at +=
             "; or refuse boundary edges: check for one first, on both sides";
       }
+      measure_share(expected, m);
       return;
     }
     const Ref mine = match_->vertex[m];
-    if (!judge_anchor(mine)) {
+    if (judge_anchor(mine)) {
+      judge_new_vertex(expected, m, mine);
+      if (judgement_.findings.empty()) keeps_positions();
+      if (judgement_.findings.empty()) note_replaced();
+      add_figure(expected, m);
+    } else {
       explain(expected, m);
-      return;
     }
-    judge_new_vertex(expected, m, mine);
-    if (judgement_.findings.empty()) keeps_positions();
-    add_figure(expected, m);
+    measure_share(expected, m);
+  }
+
+  /// How much is right of the pointers that the operation has to change or set; another
+  /// returned handle and a new vertex elsewhere count as wrong ones, too.
+  void measure_share(const MeshDump& expected, Ref m) {
+    if (judgement_.findings.empty() || !counts_pointers()) return;
+    const PointerDiff& diff = compare(expected, m);
+    // What is right only because nothing was done counts for nothing.
+    const std::size_t asked = diff.to_change;
+    std::size_t wrong = diff.wrong.size() + diff.surplus + (moved_vertex() ? 1 : 0);
+    if (m == kUnsetRef) {
+      if (step_.returned != edge_) ++wrong;
+    } else {
+      const Ref mine = diff.new_vertex;
+      if (step_.returned != mine) ++wrong;
+      if (mine == kUnsetRef || !is_midpoint(expected.vertices[m].position, mine)) ++wrong;
+    }
+    judgement_.right_share =
+        wrong >= asked ? 0.0 : 1.0 - static_cast<double>(wrong) / static_cast<double>(asked);
+  }
+
+  bool counts_pointers() const {
+    const auto& groups = task_.rubric.groups;
+    return std::any_of(groups.begin(), groups.end(), [&](const Group& group) {
+      return group.name == task_.asked.group && group.partial == Partial::kPointers;
+    });
+  }
+
+  const PointerDiff& compare(const MeshDump& expected, Ref split_vertex) {
+    if (!diff_) diff_ = diff_pointers(before_, after_, expected, edge_, split_vertex);
+    return *diff_;
+  }
+
+  /// There are as many elements more as the split of an edge between two triangles makes.
+  bool is_counted_as_inner() const {
+    const Counts old = count(before_);
+    const Counts now = count(after_);
+    return now.vertices == old.vertices + 1 && now.edges == old.edges + 3 &&
+           now.faces == old.faces + 2 && now.halfedges == old.halfedges + 6;
+  }
+
+  void report_split_as_inner(const MeshDump& expected, Ref m) {
+    const bool may_refuse = task_.asked.group != "boundary_split";
+    report("boundary-edge", "on one side of a boundary edge there is no triangle", edge_text(),
+           std::string("one triangle becomes two") +
+               (may_refuse ? ", or the mesh stays as it is" : ""),
+           "two triangles became four: the outside was taken for one of them",
+           "there is no test for a boundary, or it asks one side only: both half-edges of the "
+           "edge may be the one outside");
+    if (task_.explain) {
+      keep_scene(expected);
+      judgement_.findings[0].pointers = compare(expected, m);
+    }
+    keeps_rules(false);
   }
 
   void judge_new_vertex(const MeshDump& expected, Ref m, Ref mine) {
@@ -252,49 +345,76 @@ class StepJudge {
     return false;
   }
 
-  void judge_midpoint(const Point3& expected, Ref mine) {
+  double distance_from(const Point3& expected, Ref mine) const {
     const Point3& actual = after_.vertices[mine].position;
-    const double size = diagonal(before_);
-    const double error =
-        std::hypot(actual[0] - expected[0], actual[1] - expected[1], actual[2] - expected[2]);
-    if (error <= task_.tolerance * size) return;
+    return std::hypot(actual[0] - expected[0], actual[1] - expected[1],
+                      actual[2] - expected[2]);
+  }
+
+  LocalScale scale() const {
+    return scale_of_edge(before_.vertices[diamond_.b].position,
+                         before_.vertices[diamond_.c].position, task_.tolerance);
+  }
+
+  bool is_midpoint(const Point3& expected, Ref mine) const {
+    return distance_from(expected, mine) <= scale().allowed;
+  }
+
+  void judge_midpoint(const Point3& expected, Ref mine) {
+    if (is_midpoint(expected, mine)) return;
+    const Point3& actual = after_.vertices[mine].position;
+    const double error = distance_from(expected, mine);
+    const LocalScale scale = this->scale();
     report("midpoint", "the new vertex lies in the middle of the edge that was split",
            vertex_name(mine),
            "the middle of " + vertex_name(diamond_.b) + " and " + vertex_name(diamond_.c) +
                ": " + point_text(expected),
-           point_text(actual) + ", off by " + error_text(error, size, task_.tolerance),
+           point_text(actual) + ", off by " + error_text(error, scale),
            vertex_name(mine) + ".position");
     judgement_.findings.back().likely =
-        recognize_midpoint(before_, diamond_, actual, task_.tolerance * size);
+        recognize_midpoint(before_, diamond_, actual, scale.allowed);
   }
 
   /// Puts what is wrong pointer by pointer in front of the rules that are broken by it.
   void explain(const MeshDump& expected, Ref split_vertex) {
     if (!task_.explain) return;
     keep_scene(expected);
-    PointerDiff diff = diff_pointers(before_, after_, expected, edge_, split_vertex);
+    const PointerDiff& diff = compare(expected, split_vertex);
     const bool counts_differ = diff.missing + diff.surplus > 0;
     if (counts_differ && judgement_.findings[0].rule != "counts") {
       has_counts(expected);
       std::rotate(judgement_.findings.begin(), judgement_.findings.end() - 1,
                   judgement_.findings.end());
     } else if (!counts_differ && !diff.wrong.empty()) {
-      const WrongPointer& first = diff.wrong[0];
-      Finding lead = judgement_.findings[0];
-      lead.element = first.role.empty() ? first.name : first.name + ", of " + first.role;
-      lead.expected = first.name + " is " + first.expected;
-      lead.actual = as_left(first);
-      lead.look_at = first.name;
-      judgement_.findings.insert(judgement_.findings.begin(), std::move(lead));
+      lead_with_pointer(diff.wrong);
     }
-    judgement_.findings[0].pointers = std::move(diff);
+    judgement_.findings[0].pointers = diff;
+  }
+
+  /// Begins with a wrong pointer, under a rule that it breaks.
+  void lead_with_pointer(const std::vector<WrongPointer>& wrong) {
+    const auto& findings = judgement_.findings;
+    for (const WrongPointer& pointer : wrong) {
+      const auto broken = std::find_if(
+          findings.begin(), findings.end(),
+          [&](const Finding& finding) { return is_about(finding.rule, pointer.name); });
+      if (broken != findings.end()) return lead_with(pointer, *broken);
+    }
+    lead_with(wrong[0], findings[0]);
+  }
+
+  void lead_with(const WrongPointer& pointer, Finding lead) {
+    lead.element = pointer.role.empty() ? pointer.name : pointer.name + ", of " + pointer.role;
+    lead.expected = pointer.name + " is " + pointer.expected;
+    lead.actual = as_left(pointer);
+    lead.look_at = pointer.name;
+    judgement_.findings.insert(judgement_.findings.begin(), std::move(lead));
   }
 
   /// Shows the neighbourhood, if there is something to show besides wrong pointers.
   void add_figure(const MeshDump& expected, Ref split_vertex) {
     if (!task_.explain || judgement_.findings.empty()) return;
-    judgement_.findings[0].pointers.figure =
-        diff_pointers(before_, after_, expected, edge_, split_vertex).figure;
+    judgement_.findings[0].pointers.figure = compare(expected, split_vertex).figure;
   }
 
   /// For a viewer.
@@ -420,29 +540,33 @@ class StepJudge {
            "the .edge of the half-edges around " + edge_name(edge_));
   }
 
-  bool keeps_positions() {
+  /// The first old vertex that lies elsewhere now.
+  std::optional<Ref> moved_vertex() const {
     for (Ref v = 0; v < before_.vertices.size(); ++v) {
-      if (before_.vertices[v].live == 0 ||
-          before_.vertices[v].position == after_.vertices[v].position) {
-        continue;
-      }
-      report("position", "no old vertex moves", vertex_name(v),
-             point_text(before_.vertices[v].position), point_text(after_.vertices[v].position),
-             vertex_name(v) + ".position");
-      return false;
+      const VertexRecord& old = before_.vertices[v];
+      if (old.live != 0 && old.position != after_.vertices[v].position) return v;
     }
-    return true;
+    return std::nullopt;
+  }
+
+  bool keeps_positions() {
+    const std::optional<Ref> v = moved_vertex();
+    if (!v) return true;
+    report("position", "no old vertex moves", vertex_name(*v),
+           point_text(before_.vertices[*v].position), point_text(after_.vertices[*v].position),
+           vertex_name(*v) + ".position");
+    return false;
   }
 
   void report_harmed_boundary() {
-    report("boundary-edge", "a boundary edge cannot be flipped: the mesh stays as it is",
-           edge_text(), "the mesh is the same as before", "the mesh was changed",
-           "the check for a boundary at the start of flipEdge: either of the two half-edges "
-           "may be the one outside");
+    report(
+        "boundary-edge", "a boundary edge cannot be flipped: the mesh stays as it is",
+        edge_text(), "the mesh is the same as before", "the mesh was changed",
+        "there is no test for a boundary at the start of flipEdge, or it asks one side only: "
+        "either of the two half-edges may be the one outside");
     if (task_.explain) {
       keep_scene(before_);
-      judgement_.findings[0].pointers =
-          diff_pointers(before_, after_, before_, edge_, kUnsetRef);
+      judgement_.findings[0].pointers = compare(before_, kUnsetRef);
     }
     keeps_rules(false);
   }
@@ -458,6 +582,7 @@ class StepJudge {
   bool boundary_;
   Diamond diamond_;
   std::optional<SurfaceMatch> match_;
+  std::optional<PointerDiff> diff_;  // with the right answer
 };
 }  // namespace
 

@@ -1,5 +1,7 @@
 #include "grader/judge/operation_model.h"
 
+#include <set>
+
 namespace meshgrade {
 namespace {
 
@@ -79,6 +81,24 @@ Diamond diamond_of(const MeshDump& mesh, Ref edge) {
   diamond.c = mesh.halfedges[t].vertex;
   if (!is_outside(mesh, t)) diamond.d = third(t);
   return diamond;
+}
+
+void model_anchor_on(MeshDump& mesh, Ref edge) {
+  const Ref h = mesh.halfedges[mesh.edges[edge].halfedge].twin;
+  mesh.edges[edge].halfedge = h;
+  std::set<Ref> on_boundary;
+  for (const HalfedgeRecord& other : mesh.halfedges) {
+    if (other.live != 0 && (other.face & kBoundaryBit) != 0) on_boundary.insert(other.vertex);
+  }
+  for (Ref side : {h, mesh.halfedges[h].twin}) {
+    const HalfedgeRecord& record = mesh.halfedges[side];
+    if ((record.face & kBoundaryBit) != 0) {
+      mesh.boundaries[record.face & ~kBoundaryBit].halfedge = side;
+    } else {
+      mesh.faces[record.face].halfedge = side;
+    }
+    if (on_boundary.count(record.vertex) == 0) mesh.vertices[record.vertex].halfedge = side;
+  }
 }
 
 void model_flip(MeshDump& mesh, Ref edge) {

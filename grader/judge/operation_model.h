@@ -23,6 +23,9 @@ struct Diamond {
 };
 Diamond diamond_of(const MeshDump& mesh, Ref edge);
 
+/// Anchors an edge and what is around it as anchor_on() of grader/mesh/build_mesh.h does.
+void model_anchor_on(MeshDump& mesh, Ref edge);
+
 /// Turns an inner edge between two triangles. Of a mesh that breaks rules it makes what a flip
 /// makes that reads all its pointers first and writes them then: all still lead somewhere.
 void model_flip(MeshDump& mesh, Ref edge);

@@ -22,7 +22,9 @@ MeshDump first_mesh(const OperationsInput& input) {
   meshedit::HalfedgeMesh mesh;
   build_mesh(input.mesh, mesh);
   MeshDump built = dump_mesh(mesh);
-  if (input.anchoring == Anchoring::kAsBuilt) return built;
+  if (input.anchoring == Anchoring::kAsBuilt || input.anchoring == Anchoring::kOnEachEdge) {
+    return built;
+  }
   if (input.anchoring == Anchoring::kElsewhere) {
     anchor_elsewhere(mesh);
     return dump_mesh(mesh);
@@ -85,6 +87,7 @@ void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
     const Ref b = live_vertex(before, input.operations[i].b);
     const Ref edge = find_edge(before, a, b);
     if (edge == kUnsetRef || step.edge != edge) throw WireError("another edge");
+    if (input.anchoring == Anchoring::kOnEachEdge) model_anchor_on(before, edge);
     judge_step(task, before, input.operations[i], step, step_text(input, i, a, b), judgement);
     if (!judgement.findings.empty() || judgement.verdict != Verdict::kPassed) break;
     before = step.after;
@@ -93,7 +96,12 @@ void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
   if (judgement.findings.empty() && judgement.verdict == Verdict::kPassed) {
     require_all_steps(task.outcome, input.operations.size());
   }
-  if (!judgement.findings.empty()) judgement.verdict = Verdict::kFailed;
+  if (!judgement.findings.empty()) {
+    judgement.verdict = Verdict::kFailed;
+    judgement.note.clear();  // of a step before that is right
+    judgement.right_share = (static_cast<double>(done) + judgement.right_share) /
+                            static_cast<double>(input.operations.size());
+  }
   leave_to_other_exercise(task, input, done, judgement);
 }
 
@@ -119,13 +127,14 @@ void show_stopped_operation(const JudgeTask& task, Finding& finding) {
   const auto input = from_wire<OperationsInput>(task.asked.input);
   const std::vector<std::string>& steps = task.outcome.steps;
   if (steps.size() >= input.operations.size()) return;
-  const MeshDump before =
+  MeshDump before =
       steps.empty() ? first_mesh(input) : from_wire<OperationStep>(steps.back()).after;
   const Operation& operation = input.operations[steps.size()];
   const auto stopped = from_wire<OperationStep>(task.outcome.interrupted);
   const Ref edge =
       find_edge(before, live_vertex(before, operation.a), live_vertex(before, operation.b));
   if (edge == kUnsetRef || stopped.edge != edge) throw WireError("another edge");
+  if (input.anchoring == Anchoring::kOnEachEdge) model_anchor_on(before, edge);
   finding.pointers.figure = figure_of_stop(before, operation.kind, edge, stopped.after);
 }
 

@@ -29,6 +29,23 @@ double extent(const std::vector<Point>& points) {
   return std::sqrt(sum);
 }
 
+/// The largest coordinate of all.
+template <class Point>
+double largest_coordinate(const std::vector<Point>& points) {
+  double most = 0.0;
+  for (const Point& p : points) {
+    for (double x : p)
+      most = std::max(most, std::abs(x));
+  }
+  return most;
+}
+
+/// How far off a sum or mean may be that was computed in float from coordinates up to this one:
+/// 32 times the rounding of one of them.
+inline double float_rounding(double coordinate) {
+  return std::ldexp(coordinate, -19);
+}
+
 /// The index at which two lists of points differ most, and by how much.
 struct WorstPoint {
   std::size_t index = 0;

@@ -1,6 +1,7 @@
 #include "grader/judge/pointer_diff.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 
@@ -9,11 +10,6 @@
 
 namespace meshgrade {
 namespace {
-
-struct HalfedgePointer {
-  const char* name;
-  Ref HalfedgeRecord::*member;
-};
 
 /// Whether the code led a pointer elsewhere. One whose element was deleted still leads there.
 bool was_changed(Ref was, Ref have) {
@@ -44,6 +40,7 @@ class Differ {
 
   PointerDiff diff() {
     diff_.corners = corners_text();
+    if (split_vertex_ != kUnsetRef) diff_.new_vertex = match_.vertices[split_vertex_];
     add_halfedges();
     add_vertices();
     add_edges();
@@ -146,12 +143,6 @@ class Differ {
     row.cells.push_back(std::move(cell));
   }
 
-  void keep_row(PointerRow row, bool near) {
-    const bool wrong = std::any_of(row.cells.begin(), row.cells.end(),
-                                   [](const PointerCell& cell) { return cell.wrong; });
-    if (near || wrong) table().rows.push_back(std::move(row));
-  }
-
   /// Lies in one of the faces of the diamond, or took part in the operation.
   bool is_near(Ref h) const {
     if (h >= before_.halfedges.size()) return true;
@@ -177,38 +168,61 @@ class Differ {
     }
   }
 
-  void add_halfedge(Ref h) {
+  static constexpr std::array<Ref HalfedgeRecord::*, 5> kMembers{
+      &HalfedgeRecord::next, &HalfedgeRecord::twin, &HalfedgeRecord::vertex,
+      &HalfedgeRecord::edge, &HalfedgeRecord::face};
+
+  /// The five pointers of an expected half-edge, as the student's elements; kUnsetRef for what
+  /// the student does not have.
+  std::array<Ref, 5> wanted_pointers(Ref h) const {
     const HalfedgeRecord& want = expected_.halfedges[h];
+    return {match_.halfedges[want.next], match_.halfedges[want.twin],
+            match_.vertices[want.vertex], match_.edges[want.edge], match_.face(want.face)};
+  }
+
+  void add_halfedge(Ref h) {
     const Ref mine = match_.halfedges[h];
     const bool exists = mine < after_.halfedges.size();
+    const bool old = exists && mine < before_.halfedges.size();
     const HalfedgeRecord none{kUnsetRef, kUnsetRef, kUnsetRef, kUnsetRef, kUnsetRef, 0};
     const HalfedgeRecord& have = exists ? after_.halfedges[mine] : none;
-    const bool old = exists && mine < before_.halfedges.size();
     const HalfedgeRecord& was = old ? before_.halfedges[mine] : none;
+    const std::array<Ref, 5> want = wanted_pointers(h);
+    std::array<bool, 5> wrong{};
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+      wrong[i] = !exists || want[i] == kUnsetRef || have.*kMembers[i] != want[i];
+      if (!old || was.*kMembers[i] != want[i]) ++diff_.to_change;
+    }
+    // Of a large mesh nearly all is far away and right.
+    if (!is_near(h) && std::count(wrong.begin(), wrong.end(), true) == 0) return;
     PointerRow row{exists ? halfedge_name(mine) : "", halfedge_role(h), {}};
-    const auto cell = [&](Ref was_ref, Ref have_ref, Ref want_ref, const std::string& was_text,
-                          const std::string& have_text, const std::string& want_text) {
-      const bool wrong = !exists || want_ref == kUnsetRef || have_ref != want_ref;
-      add_cell(row, h, {old ? was_text : "", exists ? have_text : "", want_text, wrong},
-               exists && was_changed(was_ref, have_ref));
-    };
-    const Ref next = match_.halfedges[want.next];
-    cell(was.next, have.next, next, old_halfedge_text(was.next), halfedge_text(have.next),
-         wanted_halfedge_text(want.next));
-    const Ref twin = match_.halfedges[want.twin];
-    cell(was.twin, have.twin, twin, old_halfedge_text(was.twin), halfedge_text(have.twin),
-         wanted_halfedge_text(want.twin));
-    const Ref vertex = match_.vertices[want.vertex];
-    cell(was.vertex, have.vertex, vertex,
-         with_role(vertex_name(was.vertex), letter(was.vertex)), vertex_text(have.vertex),
-         wanted_text(vertex, vertex_name, "vertex", letter(want.vertex)));
-    const Ref edge = match_.edges[want.edge];
-    cell(was.edge, have.edge, edge, edge_name(was.edge), edge_name(have.edge),
-         wanted_text(edge, edge_name, "edge", halfedge_role(h)));
-    const Ref face = match_.face(want.face);
-    cell(was.face, have.face, face, face_name(was.face), face_name(have.face),
-         wanted_text(face, face_name, "face", face_role(want.face)));
-    keep_row(std::move(row), is_near(h));
+    const std::array<std::string, 5> before = old_texts(was);
+    const std::array<std::string, 5> yours = texts_of(have);
+    const std::array<std::string, 5> expected = wanted_texts(h, want);
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+      add_cell(row, h, {old ? before[i] : "", exists ? yours[i] : "", expected[i], wrong[i]},
+               exists && was_changed(was.*kMembers[i], have.*kMembers[i]));
+    }
+    table().rows.push_back(std::move(row));
+  }
+
+  std::array<std::string, 5> old_texts(const HalfedgeRecord& was) const {
+    return {old_halfedge_text(was.next), old_halfedge_text(was.twin),
+            with_role(vertex_name(was.vertex), letter(was.vertex)), edge_name(was.edge),
+            face_name(was.face)};
+  }
+
+  std::array<std::string, 5> texts_of(const HalfedgeRecord& have) const {
+    return {halfedge_text(have.next), halfedge_text(have.twin), vertex_text(have.vertex),
+            edge_name(have.edge), face_name(have.face)};
+  }
+
+  std::array<std::string, 5> wanted_texts(Ref h, const std::array<Ref, 5>& mine) const {
+    const HalfedgeRecord& want = expected_.halfedges[h];
+    return {wanted_halfedge_text(want.next), wanted_halfedge_text(want.twin),
+            wanted_text(mine[2], vertex_name, "vertex", letter(want.vertex)),
+            wanted_text(mine[3], edge_name, "edge", halfedge_role(h)),
+            wanted_text(mine[4], face_name, "face", face_role(want.face))};
   }
 
   template <class NameOf>
@@ -228,9 +242,14 @@ class Differ {
     const bool old = exists && mine < before.size();
     const Ref have = exists ? after[mine].halfedge : kUnsetRef;
     const Ref was = old ? before[mine].halfedge : kUnsetRef;
-    const bool right = std::any_of(legal.begin(), legal.end(), [&](Ref h) {
-      return exists && match_.halfedges[h] == have && have != kUnsetRef;
-    });
+    const auto is_legal = [&](Ref anchor) {
+      return anchor != kUnsetRef && std::any_of(legal.begin(), legal.end(), [&](Ref h) {
+               return match_.halfedges[h] == anchor;
+             });
+    };
+    const bool right = exists && is_legal(have);
+    if (!old || !is_legal(was)) ++diff_.to_change;
+    if (right && !near) return;
     std::vector<std::string> choices;
     for (Ref h : legal) {
       if (choices.size() < 3) choices.push_back(wanted_halfedge_text(h));
@@ -241,7 +260,7 @@ class Differ {
              {old ? old_halfedge_text(was) : "", exists ? halfedge_text(have) : "",
               right ? halfedge_text(have) : join(choices, " or ") + more, !right},
              exists && was_changed(was, have));
-    keep_row(std::move(row), near);
+    table().rows.push_back(std::move(row));
   }
 
   /// All half-edges that leave a vertex; of the new vertex only those along the split edge.

@@ -55,8 +55,10 @@ struct PointerDiff {
   std::string corners;  ///< which vertex is a, b, c, d, m
   std::vector<PointerTable> tables;
   std::vector<WrongPointer> wrong;
-  std::size_t missing = 0;  ///< elements that must be created and are not
-  std::size_t surplus = 0;  ///< elements that are created but not needed
+  std::size_t to_change = 0;  ///< pointers that a right answer sets, with those of new elements
+  Ref new_vertex = kUnsetRef;  ///< the student's, where one is to be made and is there
+  std::size_t missing = 0;     ///< elements that must be created and are not
+  std::size_t surplus = 0;     ///< elements that are created but not needed
   NeighbourhoodFigure figure;
 };
 

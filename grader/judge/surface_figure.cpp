@@ -98,15 +98,15 @@ std::vector<std::size_t> valences(const MeshDump& mesh) {
 
 SurfaceFigure figure_of_positions(const MeshDump& right, const std::vector<Point3>& expected,
                                   const MeshDump& mesh, const std::vector<Ref>& match,
-                                  double allowed, double size) {
+                                  const std::vector<LocalScale>& scales) {
   SurfaceFigure figure{surface_of(mesh), surface_of(right), true, {}, 0};
   figure.expected.positions = expected;
   for (std::uint32_t v = 0; v < match.size(); ++v) {
     const Point3& actual = mesh.vertices[match[v]].position;
     const double error = distance(expected[v], actual);
-    if (error <= allowed) continue;
+    if (error <= scales[v].allowed) continue;
     figure.marks.push_back({match[v], v, vertex_name(match[v]),
-                            "off by " + number_text(error / size, 2) + " of the size, at " +
+                            "off by " + error_text(error, scales[v]) + ", at " +
                                 point_text(actual) + ", must be at " + point_text(expected[v]),
                             error});
   }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/judge/local_scale.h"
 #include "grader/mesh/mesh_dump.h"
 
 namespace meshgrade {
@@ -22,7 +23,7 @@ struct SurfaceMark {
   std::uint32_t vertex = 0;    ///< of `yours`
   std::uint32_t expected = 0;  ///< the same vertex in `expected`
   std::string name;            ///< "v12"
-  std::string text;            ///< "off by 0.1 of the size, ..."
+  std::string text;            ///< "off by 0.1 of the length of the old edge, ..."
   double error = 0.0;          ///< what the marks are ordered by
 };
 
@@ -41,11 +42,10 @@ struct SurfaceFigure {
 /// of the right one to those of the student's.
 ///
 /// @param expected  the right places, by the numbers of the right mesh
-/// @param allowed   how far a vertex may be off
-/// @param size      of the mesh, to tell errors by
+/// @param scales    how far each vertex of the right mesh may be off
 SurfaceFigure figure_of_positions(const MeshDump& right, const std::vector<Point3>& expected,
                                   const MeshDump& mesh, const std::vector<Ref>& match,
-                                  double allowed, double size);
+                                  const std::vector<LocalScale>& scales);
 
 /// Vertices that are joined to too many or too few others. Both meshes keep all mesh rules;
 /// `match` has kUnsetRef where nothing is known.

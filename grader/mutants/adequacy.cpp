@@ -50,7 +50,8 @@ void compare_with_list(Adequacy& adequacy, const std::set<std::string>& possible
     }
     const bool listed = adequacy.reviewed.count(id) != 0;
     const bool survived = result.fate == Fate::kSurvived;
-    if (survived && !listed) adequacy.unexplained.push_back(id);
+    const bool explained = !reason_of(result.mutant, adequacy.reviewed).empty();
+    if (survived && !explained) adequacy.unexplained.push_back(id);
     if (listed && !survived) adequacy.outdated.push_back(id);
   }
   for (const auto& [id, reason] : adequacy.reviewed) {
@@ -70,6 +71,14 @@ std::vector<Mutant> without_time_limit(const std::vector<MutantResult>& results)
 }
 
 }  // namespace
+
+std::string reason_of(const Mutant& mutant, const SurvivorList& reviewed) {
+  for (const std::string& id : {mutant.id(), mutant.always}) {
+    const auto found = reviewed.find(id);
+    if (found != reviewed.end()) return found->second;
+  }
+  return "";
+}
 
 Share pointers_named(const Adequacy& adequacy) {
   Share share;
@@ -107,8 +116,12 @@ Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Origin
   adequacy.mutants =
       grade_mutants(assignment, originals, mutants, grade, options.jobs, progress);
   compare_with_list(adequacy, possible);
+  // make_variant() knows how these two are laid out.
+  const std::vector<Original> laid_out(
+      originals.begin(), originals.begin() + static_cast<std::ptrdiff_t>(
+                                                 std::min<std::size_t>(2, originals.size())));
   adequacy.variants =
-      grade_variants(originals, options.variants, options.seed, grade, options.jobs, progress);
+      grade_variants(laid_out, options.variants, options.seed, grade, options.jobs, progress);
   adequacy.determinism = compare_runs(assignment, originals,
                                       draw(without_time_limit(adequacy.mutants),
                                            options.repeated, Random(options.seed, "repeated")),

@@ -38,6 +38,10 @@ struct Adequacy {
   }
 };
 
+/// Why a survivor is right: by its own entry in the list, or by that of the mutant that has the
+/// same mistake always. Empty if there is none.
+std::string reason_of(const Mutant& mutant, const SurvivorList& reviewed);
+
 /// How many of how many.
 struct Share {
   std::size_t part = 0;

@@ -20,12 +20,24 @@ constexpr const char* kHead =
     "solutions,\n"
     "which must lose nothing.\n"
     "\n"
-    "Two right solutions are changed: the model solution in `reference/`, and a second one in\n"
-    "`tests/mutants/textbook/`, written as textbooks do it: every handle of the neighbourhood "
-    "has\n"
-    "a name, and `setNeighbors` sets all pointers. Students write that style more often than "
-    "the\n"
-    "terse one of the reference, and it offers many more pointers to get wrong.\n";
+    "Six right solutions are changed: the model solution in `reference/`, and five in\n"
+    "`tests/mutants/`, in styles that students write more often than its terse one:\n"
+    "\n"
+    "- `textbook`: every handle of the neighbourhood has a name, and `setNeighbors` sets all\n"
+    "  pointers. It offers the most pointers to get wrong.\n"
+    "- `singles`: by the course's numbered diagram, each pointer by an assignment of its own.\n"
+    "- `turned`: the half-edges inside turn: they keep their `next`, and get new vertices, "
+    "edges\n"
+    "  and twins.\n"
+    "- `arrays`: handles in lists and tables; the subdivision keeps everything in lists.\n"
+    "- `floats`: triangles and edges are put together by helpers; computes in float, with "
+    "Loop's\n"
+    "  own weights.\n"
+    "\n"
+    "Mistakes that are made only sometimes are among them: at the third call, above a valence "
+    "of\n"
+    "12, above 400 faces, on tiny edges, far from the origin, by the anchor, by the number of\n"
+    "points, at one parameter.\n";
 
 constexpr const char* kLocalisation =
     "\n"
@@ -86,7 +98,7 @@ std::size_t missed(const Adequacy& adequacy, const Choice& choice) {
   return static_cast<std::size_t>(std::count_if(
       adequacy.mutants.begin(), adequacy.mutants.end(), [&](const MutantResult& result) {
         return choice(result) && result.fate == Fate::kSurvived &&
-               adequacy.reviewed.count(result.mutant.id()) == 0;
+               reason_of(result.mutant, adequacy.reviewed).empty();
       }));
 }
 
@@ -145,9 +157,8 @@ std::string survivors(const Adequacy& adequacy) {
   std::map<std::string, std::vector<std::string>> by_reason;
   for (const MutantResult& result : adequacy.mutants) {
     if (result.fate != Fate::kSurvived) continue;
-    const auto found = adequacy.reviewed.find(result.mutant.id());
-    by_reason[found == adequacy.reviewed.end() ? "**Not explained: the grader misses these.**"
-                                               : found->second]
+    const std::string reason = reason_of(result.mutant, adequacy.reviewed);
+    by_reason[reason.empty() ? "**Not explained: the grader misses these.**" : reason]
         .push_back(result.mutant.id());
   }
   std::string text =

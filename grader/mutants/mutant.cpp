@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "grader/mutants/operators.h"
 
@@ -47,6 +48,7 @@ std::string Mutant::id() const {
 std::vector<Mutant> make_mutants(const Original& original, const SourceFile& file) {
   const SourceCode code(file.text);
   std::set<std::string> known{file.text};
+  std::map<std::pair<std::size_t, std::size_t>, std::string> dropped;  // place -> id
   std::map<std::string, std::size_t> repetitions;
   std::vector<Mutant> mutants;
   for (const MutationOperator& mutation : mutation_operators()) {
@@ -54,6 +56,7 @@ std::vector<Mutant> make_mutants(const Original& original, const SourceFile& fil
       Mutant mutant;
       mutant.text = file.text;
       mutant.text.replace(edit.at, edit.size, edit.text);
+      mutant.text.insert(edit.prelude_at, edit.prelude);
       if (!known.insert(mutant.text).second) continue;
       mutant.original = original.name;
       mutant.file = file.name;
@@ -66,8 +69,11 @@ std::vector<Mutant> make_mutants(const Original& original, const SourceFile& fil
                             file.text.begin() + static_cast<std::ptrdiff_t>(edit.at), '\n'));
       mutant.was = as_one_line(lines_around(file.text, edit.at, edit.at + edit.size));
       mutant.becomes =
-          as_one_line(lines_around(mutant.text, edit.at, edit.at + edit.text.size()));
+          as_one_line(lines_around(mutant.text, edit.at + edit.prelude.size(),
+                                   edit.at + edit.prelude.size() + edit.text.size()));
       mutant.repetition = repetitions[mutant.id()]++;
+      if (edit.text == ";") dropped[{edit.at, edit.size}] = mutant.id();
+      if (!edit.prelude.empty()) mutant.always = dropped[{edit.at, edit.size}];
       mutants.push_back(std::move(mutant));
     }
   }

@@ -25,6 +25,8 @@ struct Mutant {
   std::string becomes;
   std::size_t repetition = 0;  ///< how many mutants before this one read the same
   std::string text;            ///< of the whole file
+  /// The id of the mutant that has the same mistake always, if this one has it only sometimes.
+  std::string always;
 
   /// "textbook/edge_flip.cpp: other-variable: <was> => <becomes>": the same as long as the line
   /// is the same, wherever it is.

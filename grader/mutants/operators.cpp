@@ -311,6 +311,91 @@ Edits refer_instead_of_copy(const SourceCode& code) {
   return editor.take();
 }
 
+/// When a function may be wrong: a name, and an expression that is asked at its beginning.
+struct Occasion {
+  const char* name;
+  std::string asked;
+};
+
+std::string third_call() {
+  return "[] { static int calls = 0; return ++calls == 3; }()";
+}
+
+/// By a vertex that is there, and the number of faces if there is a mesh to ask.
+std::vector<Occasion> occasions_at(const std::string& vertex, const std::string& faces) {
+  std::vector<Occasion> list{
+      {"at_third_call", third_call()},
+      {"above_valence_12", vertex + "->degree() > 12"},
+      {"if_tiny", "(" + vertex + "->position - " + vertex +
+                      "->halfedge()->twin()->vertex()->position).norm() < 1e-3"},
+      {"if_far", vertex + "->position.norm() > 100"}};
+  if (!faces.empty()) list.push_back({"above_400_faces", faces + " > 400"});
+  return list;
+}
+
+std::vector<Occasion> occasions_of(const SourceCode& code, const Function& function) {
+  std::string first;  // the first parameter
+  std::string type;
+  for (const Declaration& d : code.declarations()) {
+    if (d.name <= function.parameters.first || d.name >= function.parameters.last) continue;
+    first = std::string(code.tokens()[d.name].text);
+    type = d.type;
+    break;
+  }
+  const std::string& name = function.name;
+  if (name == "flipEdge" || name == "splitEdge") {
+    std::vector<Occasion> list = occasions_at(first + "->halfedge()->vertex()", "nFaces()");
+    list.push_back({"if_anchored",
+                    first + "->halfedge()->vertex()->halfedge() == " + first + "->halfedge()"});
+    return list;
+  }
+  if (name == "upsample") return occasions_at(first + ".verticesBegin()", first + ".nFaces()");
+  if (name == "normal") return occasions_at("halfedge()->vertex()", "");
+  if (type == "VertexIter" || type == "VertexCIter") return occasions_at(first, "");
+  if (name == "evaluateStep" || name == "evaluate1D") {
+    return {{"at_third_call", third_call()},
+            {"above_6_points", first + ".size() > 6"},
+            {"above_20_points", first + ".size() > 20"},
+            {"near_the_end", "t > 0.99 && t < 1"},
+            {"at_three_quarters", "t == 0.75"},
+            {"if_far", first + "[0].x > 50"}};
+  }
+  if (name == "evaluate") {
+    return {{"at_third_call", third_call()},
+            {"above_6_rows", "controlPoints.size() > 6"},
+            {"above_20_rows", "controlPoints.size() > 20"},
+            {"near_the_end", first + " > 0.99 && " + first + " < 1"}};
+  }
+  return {{"at_third_call", third_call()}};
+}
+
+/// The mistake of leaving out a statement, or of doing nothing, but only on some occasions.
+Edits make_mistakes_sometimes(const SourceCode& code) {
+  Edits edits;
+  for (const Function& function : code.functions()) {
+    const Token& begin = code.tokens()[function.body.first + 1];
+    if (!begin.is_open) continue;
+    const std::vector<Occasion> occasions = occasions_of(code, function);
+    for (const Occasion& occasion : occasions) {
+      edits.push_back(
+          {begin.at, 0,
+           "if (" + occasion.asked + ") return" + (function.is_void ? "" : " {}") + ";\n"});
+    }
+    for (Span statement : code.statements()) {
+      const Token& first = code.tokens()[statement.first];
+      if (code.function_at(statement.first) != &function || !code.is_open(statement)) continue;
+      if (code.is_declaration(statement) || is_jump(first)) continue;
+      const std::string was(code.text_of(statement));
+      for (const Occasion& occasion : occasions) {
+        const std::string name = occasion.name;
+        edits.push_back({first.at, was.size(), "if (!" + name + ") " + was,
+                         "const bool " + name + " = " + occasion.asked + ";\n", begin.at});
+      }
+    }
+  }
+  return edits;
+}
+
 }  // namespace
 
 const std::vector<MutationOperator>& mutation_operators() {
@@ -329,6 +414,8 @@ const std::vector<MutationOperator>& mutation_operators() {
       {"return-early", "return before the work is done, or return nothing", return_early},
       {"number-type", "compute with whole numbers", change_number_types},
       {"reference", "a reference into the mesh instead of a copy", refer_instead_of_copy},
+      {"sometimes", "leave out one statement or all, by call, valence, size or place",
+       make_mistakes_sometimes},
   };
   return operators;
 }

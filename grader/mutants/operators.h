@@ -12,6 +12,10 @@ struct Edit {
   std::size_t at = 0;
   std::size_t size = 0;
   std::string text;
+
+  /// What goes in front of the first statement of the function; mostly nothing.
+  std::string prelude = "";
+  std::size_t prelude_at = 0;  ///< before `at`
 };
 
 /// A kind of mistake: finds every place of a solution where it can be made.

@@ -42,7 +42,7 @@ Spot label_in(const std::vector<Spot>& t) {
   const double q = length(t[2] - t[0]);
   const double r = length(t[0] - t[1]);
   const Spot incentre = (1.0 / (p + q + r)) * (p * t[0] + q * t[1] + r * t[2]);
-  return {incentre.x, 0.8 * incentre.y};
+  return {incentre.x, 0.7 * incentre.y};
 }
 
 /// The letter of the third corner of the face that has this side; '-' if there is none.
@@ -130,8 +130,8 @@ DiamondLayout::DiamondLayout(const FigurePanel& panel) {
     arrows_.push_back(h.outside ? outer_arrow(h.corners)
                                 : inner_arrow(h.corners, opposite(panel, h.corners)));
   }
-  const double below = whole ? kRadius + 28.0 : 100.0;
-  frame_ = {-kRadius - 48.0, -kRadius - 28.0, kRadius + 48.0, below};
+  const double below = whole ? kRadius + 28.0 : 112.0;
+  frame_ = {-kRadius - 36.0, -kRadius - 36.0, kRadius + 36.0, below};
 }
 
 }  // namespace meshgrade

@@ -83,14 +83,16 @@ Json to_value(const CaseReport& report) {
 }
 
 Json to_value(const GroupReport& group) {
-  return {{"name", group.name},
-          {"title", group.title},
-          {"extra_credit", group.extra_credit},
-          {"points", group.points},
-          {"max_points", group.max_points},
-          {"passed", group.passed},
-          {"judged", group.judged},
-          {"cases", group.cases}};
+  Json value{{"name", group.name},
+             {"title", group.title},
+             {"extra_credit", group.extra_credit},
+             {"points", group.points},
+             {"max_points", group.max_points},
+             {"passed", group.passed},
+             {"judged", group.judged},
+             {"cases", group.cases}};
+  if (!group.why.empty()) value["why"] = group.why;
+  return value;
 }
 
 Json to_value(const ExerciseReport& report) {

@@ -105,6 +105,7 @@ Spot draw_neighbourhood(const SvgPen& pen, const Finding& finding) {
   for (const PanelTitle& title : panel_titles(figure)) {
     const Spot origin{x - frame.x0, kTitleHeight - frame.y0};
     const SvgPen panel = pen.moved_group(title.css_class, origin);
+    panel.frame({frame.x0, frame.y0 - kTitleHeight, frame.x1, frame.y1});
     panel.text({0.0, frame.y0 - 0.5 * kTitleHeight}, title.title,
                {16.0, title.color, true, Anchor::kMiddle, false});
     draw_panel(panel, {figure, title.part, finding.element});

@@ -10,8 +10,8 @@ namespace {
 using Kind = ElementKind;
 
 constexpr double kNameSize = 13.0;
-constexpr double kSmallSize = 11.5;
-constexpr double kTagSize = 12.0;
+constexpr double kSmallSize = 13.0;
+constexpr double kTagSize = 13.0;
 constexpr double kTagHeight = 17.0;
 constexpr double kHeadSize = 14.0;  // of an arrow's head, which no label hides
 constexpr double kClose = 60.0;     // from a tip to where the next half-edge begins
@@ -314,7 +314,7 @@ class PanelArtist {
     const FigureFault& fault = task_.figure.faults[i];
     const FigurePointer& pointer = pointer_of(fault);
     return std::to_string(i + 1) + " " + pointer_name(fault.kind, fault.pointer) +
-           (pointer.place == kNotPictured ? ": " + shortened(pointer.text, 12) : "");
+           (pointer.place == kNotPictured ? ": " + shortened(pointer.text, 10) : "");
   }
 
   void draw_connector(const Connector& c, std::size_t i) {

@@ -111,29 +111,65 @@ double round_points(double points) {
   return std::round(points * 100.0) / 100.0;
 }
 
-GroupReport add_up(const Group& group, const std::vector<CaseReport>& cases,
+/// What a group with failures earns by its pointers, at most: not even one that is wrong is
+/// free.
+constexpr double kMostByPointers = 0.8;
+
+/// The part of its points that a group earns, some of whose cases failed.
+double earned_share(Partial partial, const GroupReport& group,
+                    const std::vector<const CaseJudgement*>& failed) {
+  if (partial == Partial::kCases)
+    return static_cast<double>(group.passed) / static_cast<double>(group.judged);
+  if (partial == Partial::kNone) return 0.0;
+  double sum = 0.0;
+  for (const CaseJudgement* judgement : failed)
+    sum += judgement->right_share;
+  return kMostByPointers * sum / static_cast<double>(failed.size());
+}
+
+GroupReport add_up(const Group& group, const std::vector<JudgedCase>& cases,
                    const std::vector<GroupReport>& before) {
-  GroupReport report{group.name, group.title, group.extra_credit, 0.0, group.points, 0, 0, 0};
-  for (const CaseReport& c : cases) {
-    if (c.group != group.name) continue;
+  GroupReport report{group.name, group.title, group.extra_credit, 0.0, group.points, 0, 0,
+                     0,          ""};
+  std::vector<const CaseJudgement*> failed;
+  for (const JudgedCase& c : cases) {
+    if (c.asked.group != group.name) continue;
     ++report.cases;
-    report.judged += c.excused ? 0 : 1;
-    report.passed += c.verdict == Verdict::kPassed ? 1 : 0;
+    if (c.judgement.excused) continue;
+    ++report.judged;
+    if (c.judgement.verdict == Verdict::kPassed)
+      ++report.passed;
+    else
+      failed.push_back(&c.judgement);
   }
   const bool needed_group_failed =
       std::any_of(before.begin(), before.end(), [&](const GroupReport& other) {
         return other.name == group.needs && other.points == 0.0 && other.max_points > 0.0;
       });
-  if (report.judged == 0 || needed_group_failed) return report;
-  const bool all = report.passed == report.judged;
-  const double share = static_cast<double>(report.passed) / static_cast<double>(report.judged);
-  report.points = round_points(group.points * (group.partial ? share : (all ? 1.0 : 0.0)));
+  if (report.judged == 0) return report;
+  if (needed_group_failed) {
+    report.why = "counts only if " + group.needs + " earns points";
+    return report;
+  }
+  const double share = failed.empty() ? 1.0 : earned_share(group.partial, report, failed);
+  report.points = round_points(group.points * share);
+  if (report.points == 0.0 && report.passed > 0 && group.points > 0.0) {
+    report.why = group.partial == Partial::kPointers
+                     ? "nothing that must change is right in the cases that fail"
+                     : "counts only if all of its cases pass";
+  }
   return report;
+}
+
+bool has_judged_case(const ExerciseReport& exercise) {
+  return std::any_of(exercise.cases.begin(), exercise.cases.end(),
+                     [](const CaseReport& c) { return !c.excused; });
 }
 
 /// The verdict of the first case that was not passed, in the order of the groups that are
 /// required. A missing verdict for some cases does not spoil that of the others.
 Verdict overall_verdict(const ExerciseReport& exercise) {
+  if (!exercise.cases.empty() && !has_judged_case(exercise)) return Verdict::kNotJudged;
   Verdict verdict = Verdict::kPassed;
   for (const GroupReport& group : exercise.groups) {
     if (group.extra_credit) continue;
@@ -155,7 +191,7 @@ ExerciseReport to_exercise_report(const JudgedExercise& judged, const SourceLine
   for (const JudgedCase& c : judged.cases)
     report.cases.push_back(to_case_report(c, sources));
   for (const Group& group : judged.rubric->groups) {
-    report.groups.push_back(add_up(group, report.cases, report.groups));
+    report.groups.push_back(add_up(group, judged.cases, report.groups));
     const GroupReport& added = report.groups.back();
     (added.extra_credit ? report.extra_points : report.points) += added.points;
     (added.extra_credit ? report.max_extra_points : report.max_points) += added.max_points;
@@ -220,6 +256,7 @@ Report make_report(const Assignment& assignment, const Submission& submission,
     report.files.push_back({file.name, whole, file.messages, file.linked});
     report.notes.insert(report.notes.end(), file.notes.begin(), file.notes.end());
     for (const LeftOut& left : file.left_out) {
+      if (left.not_judged) continue;  // told among the file's own notes
       report.notes.push_back(file.name + ":" + std::to_string(left.line) + ": " +
                              left.function + " does not compile and is left out: " +
                              left.message + "; the rest of the file is graded");

@@ -52,6 +52,7 @@ struct GroupReport {
   std::size_t passed = 0;
   std::size_t judged = 0;  ///< cases that count: all but those that are excused
   std::size_t cases = 0;
+  std::string why;  ///< why it earns nothing, though cases passed; mostly empty
 };
 
 struct ExerciseReport {

@@ -109,7 +109,7 @@ void read(const Json& value, CaseReport& report) {
 void read(const Json& value, GroupReport& group) {
   group = {value.at("name"),   value.at("title"),      value.at("extra_credit"),
            value.at("points"), value.at("max_points"), value.at("passed"),
-           value.at("judged"), value.at("cases")};
+           value.at("judged"), value.at("cases"),      value.value("why", "")};
 }
 
 /// The four sums of points that the report and each exercise have.

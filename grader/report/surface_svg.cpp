@@ -19,7 +19,7 @@ constexpr double kSide = 440.0;
 constexpr double kMargin = 14.0;
 constexpr double kTitleHeight = 28.0;
 constexpr double kTilt = 0.6;  // off the normal, so that an error along it can be seen
-constexpr double kTagSize = 12.0;
+constexpr double kTagSize = 13.5;
 constexpr std::size_t kMostTags = 6;
 constexpr std::size_t kMostHollow = 40;
 constexpr std::size_t kMostListed = 10;
@@ -187,6 +187,7 @@ SvgPen panel_pen(const SvgPen& pen, const Box& frame, int number, const char* cs
   const Spot origin{kMargin + (number + 0.5) * kSide + number * kMargin,
                     kTitleHeight - frame.y0};
   const SvgPen panel = pen.moved_group(css_class, origin);
+  panel.frame({frame.x0, frame.y0 - kTitleHeight, frame.x1, frame.y1});
   panel.text({0.0, frame.y0 - 0.5 * kTitleHeight}, title,
              {16.0, color, true, Anchor::kMiddle, false});
   return panel;

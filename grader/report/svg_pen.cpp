@@ -139,6 +139,11 @@ void SvgPen::attribute(const char* name, const std::string& value) const {
   set(node_, name, value);
 }
 
+void SvgPen::frame(const Box& box) const {
+  attribute("data-box", number(box.x0) + " " + number(box.y0) + " " + number(box.x1 - box.x0) +
+                            " " + number(box.y1 - box.y0));
+}
+
 void SvgPen::tooltip(const std::string& text) const {
   pugi::xml_node(node_).prepend_child("title").text().set(text.c_str());
 }

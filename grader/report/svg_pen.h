@@ -84,6 +84,9 @@ class SvgPen {
   SvgPen clipped_group(const std::string& css_class, const Box& box) const;
 
   void attribute(const char* name, const std::string& value) const;
+  /// What the group takes up, in its own coordinates, for a page that shows it alone:
+  /// data-box="x y width height".
+  void frame(const Box& box) const;
   /// What a browser shows when the pointer rests on the group.
   void tooltip(const std::string& text) const;
   void path(const std::string& d, const Stroke& stroke, const char* fill = "none") const;

@@ -132,6 +132,7 @@ class TerminalReport {
     if (group.judged < group.cases) {
       out_ += ", " + std::to_string(group.cases - group.judged) + " not judged";
     }
+    if (!group.why.empty()) out_ += "; " + group.why;
     out_ += "\n";
   }
 

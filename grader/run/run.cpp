@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <map>
 #include <set>
 
@@ -66,8 +67,9 @@ TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
   list.output_bytes = limits.output_mb * kMegabyte;
   const std::vector<std::uint32_t> families = families_of(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    list.tasks.push_back({cases[i]->exercise, cases[i]->input, cases[i]->step_budget,
-                          limits.case_cpu_ms, limits.case_wall_ms, families[i]});
+    const Case& c = *cases[i];
+    list.tasks.push_back({c.exercise, c.input, c.step_budget, limits.case_cpu_ms,
+                          limits.case_wall_ms, c.fresh, families[i]});
   }
   return list;
 }
@@ -130,6 +132,25 @@ bool is_students(const StackFrame& frame) {
          frame.function.rfind("meshedit::Handle<", 0) != 0;
 }
 
+/// Code of neither the worker nor a shared library: the student's, or what it is compiled with.
+bool is_compiled_in(const StackFrame& frame) {
+  return !frame.file.empty() && frame.function.rfind("meshgrade::", 0) != 0;
+}
+
+/// Where the checks of a standard library end in a trap (libc++'s hardening) or in a function
+/// of their own that aborts (libstdc++ before GCC 12), the place tells that it was one of them.
+void recognise_library_check(const std::vector<StackFrame>& innermost, Outcome& outcome) {
+  if (outcome.ending != Ending::kSignal) return;
+  const std::string& function = innermost[0].function;
+  const bool trapped =
+      (outcome.code == SIGILL || outcome.code == SIGTRAP) && function.rfind("std::", 0) == 0;
+  const bool aborted =
+      outcome.code == SIGABRT && function.rfind("std::__replacement_assert", 0) == 0;
+  if (!trapped && !aborted) return;
+  outcome.ending = Ending::kLibraryCheck;
+  outcome.subject = "in " + innermost[aborted && innermost.size() > 1 ? 1 : 0].function;
+}
+
 /// Keeps of each stack what lies in the student's own files.
 void add_stacks(const Build& build, const std::vector<TaskResult>& tasks,
                 std::vector<Outcome>& outcomes) {
@@ -140,9 +161,14 @@ void add_stacks(const Build& build, const std::vector<TaskResult>& tasks,
   }
   const auto frames = symbolize(build, addresses);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
+    bool is_innermost = true;
     for (std::uint64_t address : tasks[i].end.stack) {
       const auto found = frames.find(address - 1);
       if (found == frames.end()) continue;
+      if (is_innermost && !found->second.empty() && is_compiled_in(found->second[0])) {
+        recognise_library_check(found->second, outcomes[i]);
+        is_innermost = false;
+      }
       for (StackFrame frame : found->second) {
         if (!is_students(frame)) continue;
         while (frame.file.rfind("./", 0) == 0)

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <optional>
 
 #include "grader/base/errors.h"
@@ -146,12 +147,22 @@ std::string read_text(int file) {
   return {buffer, static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
 }
 
+/// What is known of a start that failed without a word.
+std::string silent_end(const ProcessResult& result) {
+  if (result.signal == 0) {
+    return "it ended with exit status " + std::to_string(result.status) + " and said nothing";
+  }
+  return std::string("it was ended by a signal (") + ::strsignal(result.signal) +
+         ") before it began: the machine has no memory left, or another program ended it";
+}
+
 /// A program that was not confined as promised has not been run.
 void require_start(const std::string& report, const std::string& program,
                    const ProcessResult& result) {
   if (report == "started\n" || (report.empty() && result.stopped())) return;
+  const std::string said = printable(report + result.output);
   throw GraderError("the sandbox cannot start " + program + ": " +
-                    printable(report + result.output));
+                    (said.empty() ? silent_end(result) : said));
 }
 
 }  // namespace

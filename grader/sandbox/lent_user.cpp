@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "grader/base/errors.h"
+#include "grader/base/process_tree.h"
 
 namespace meshgrade {
 namespace {
@@ -51,11 +52,18 @@ bool is_somebody(uid_t number) {
 LentUser::LentUser() {
   if (::geteuid() != 0) throw GraderError("only root can start programs as another user");
   make_lock_folder();
-  for (uid_t number = kFirst; number < kFirst + kCount; ++number) {
+  // Each process begins at another number, so that graders that do not see each other's locks
+  // hardly ever ask for the same one at the same moment.
+  const uid_t start = static_cast<uid_t>(::getpid()) % kCount;
+  for (uid_t i = 0; i < kCount; ++i) {
+    const uid_t number = kFirst + (start + i) % kCount;
     const std::string name = std::string(kLocks) + "/" + std::to_string(number);
     FileDescriptor lock(::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
     if (lock.get() < 0) fail("cannot open " + name);
     if (::flock(lock.get(), LOCK_EX | LOCK_NB) != 0 || is_somebody(number)) continue;
+    // Lent by a grader in another container, which has locks of its own: two containers may
+    // share the numbers of processes and users without sharing files.
+    if (processes_of_user(number) > 0) continue;
     number_ = number;
     lock_ = std::move(lock);
     return;

@@ -10,6 +10,7 @@ namespace meshgrade {
 
 /// A user that is in no list of users and owns nothing, lent for one run. No two runs on this
 /// machine have the same at the same time, so that all its processes can be ended at the end.
+/// Nor is a user lent who has processes already, whoever started them.
 /// The number of a user and its group are the same.
 class LentUser {
  public:

@@ -3,51 +3,25 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
-#include <set>
-#include <string_view>
+#include <string>
 
 #include "grader/base/text.h"
 #include "grader/submission/code_only.h"
+#include "grader/submission/course_files.h"
 
 namespace meshgrade {
 namespace {
 
-/// The course's own files, by their names without ending.
-const std::set<std::string>& course_files() {
-  static const std::set<std::string> names{
-      "bez",           "bezierCurve", "bezierPatch",          "halfEdgeMesh", "main",
-      "mergeVertices", "meshEdit",    "mutablePriorityQueue", "png",          "shaderUtils"};
-  return names;
-}
-
-bool is_space(char c) {
-  return std::isspace(static_cast<unsigned char>(c)) != 0;
-}
+using Files = std::vector<SourceFile>;
 
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The text without space, but for one between two words.
-std::string squeeze(std::string_view text) {
-  std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (is_space(text[i])) continue;
-    const bool after_space = i > 0 && is_space(text[i - 1]);
-    if (after_space && !result.empty() && is_word(result.back()) && is_word(text[i])) {
-      result += ' ';
-    }
-    result += text[i];
-  }
-  return result;
-}
-
-std::string all_code(const Submission& submission) {
+std::string all_code(const Files& files) {
   std::string code;
-  for (const auto* files : {&submission.sources, &submission.headers}) {
-    for (const SourceFile& file : *files)
-      code += squeeze(code_only(file.text)) + "\n";
-  }
+  for (const SourceFile& file : files)
+    code += squeeze(code_only(file.text)) + "\n";
   return code;
 }
 
@@ -63,15 +37,6 @@ bool names_course_namespace(const std::string& code) {
     if (end == code.size() || !is_word(code[end])) return true;
   }
   return false;
-}
-
-bool includes_student_code(const SourceFile& file) {
-  const std::vector<std::string> lines = split_lines(file.text);
-  return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
-    const std::string words = squeeze(line);
-    return words.rfind("#include\"student_code.h\"", 0) == 0 ||
-           words.rfind("#include<student_code.h>", 0) == 0;
-  });
 }
 
 /// Whether evaluate1D takes its points as a copy.
@@ -97,35 +62,39 @@ const char* describe(Dialect dialect) {
   return "2020 or later";
 }
 
-/// Moves the course's own files from `files` to `taken`.
-void take_course_files(std::vector<SourceFile>& files, std::vector<SourceFile>& taken) {
-  const auto is_own = [](const SourceFile& file) {
-    return course_files().count(file.name.substr(0, file.name.rfind('.'))) == 0;
-  };
-  const auto first = std::stable_partition(files.begin(), files.end(), is_own);
-  taken.assign(std::make_move_iterator(first), std::make_move_iterator(files.end()));
+/// Moves the course's own files from `files` to the end of `taken`.
+void take_course_files(Files& files, Files& taken) {
+  const auto first = std::stable_partition(
+      files.begin(), files.end(), [](const SourceFile& file) { return !is_course_file(file); });
+  std::move(first, files.end(), std::back_inserter(taken));
   files.erase(first, files.end());
 }
 
-void note_left_out(Submission& submission, const std::vector<SourceFile>& files,
-                   const std::string& why) {
+void note_left_out(Submission& submission, const Files& files, const std::string& why) {
+  constexpr std::size_t kMostNamed = 4;
   if (files.empty()) return;
   std::vector<std::string> names;
   for (const SourceFile& file : files)
     names.push_back(file.name);
-  submission.notes.push_back(join(names, ", ") + (names.size() == 1 ? " is" : " are") +
+  if (names.size() > kMostNamed) {
+    const std::size_t more = names.size() - (kMostNamed - 1);
+    names.resize(kMostNamed - 1);
+    names.push_back(std::to_string(more) + " more");
+  }
+  submission.notes.push_back(join(names, ", ") + (files.size() == 1 ? " is" : " are") +
                              " left out: " + why);
 }
 
-}  // namespace
+bool is_course_homework(const Files& files) {
+  return names_course_namespace(all_code(files)) ||
+         std::any_of(files.begin(), files.end(), [](const SourceFile& file) {
+           return is_source_name(file.name) && includes(file.text, "student_code.h");
+         });
+}
 
-Dialect recognise(const Submission& submission) {
-  const std::string code = all_code(submission);
-  const auto& sources = submission.sources;
-  if (!names_course_namespace(code) &&
-      std::none_of(sources.begin(), sources.end(), includes_student_code)) {
-    return Dialect::kMeshedit;
-  }
+/// The year that the student's own files are written for.
+Dialect year_of(const Files& own) {
+  const std::string code = all_code(own);
   if (has(code, "BezierPatch::preprocess(") || has(code, "BezierPatch::add2mesh(")) {
     return Dialect::kCourse2016;
   }
@@ -135,16 +104,31 @@ Dialect recognise(const Submission& submission) {
                                                         : Dialect::kCourse2020;
 }
 
+Files files_of(const Submission& submission) {
+  Files files = submission.sources;
+  files.insert(files.end(), submission.headers.begin(), submission.headers.end());
+  return files;
+}
+
+}  // namespace
+
+Dialect recognise(const Submission& submission) {
+  Files own = files_of(submission);
+  Files course;
+  if (!is_course_homework(own)) return Dialect::kMeshedit;
+  take_course_files(own, course);
+  return year_of(own);
+}
+
 void settle_dialect(Submission& submission) {
   submission.dialect = recognise(submission);
   if (submission.dialect == Dialect::kMeshedit) return;
   submission.notes.push_back(
       std::string("recognised: homework for Berkeley's skeleton (namespace CGL), ") +
       describe(submission.dialect));
-  std::vector<SourceFile> programs;
-  take_course_files(submission.sources, programs);
+  take_course_files(submission.sources, submission.course_sources);
   take_course_files(submission.headers, submission.course_headers);
-  note_left_out(submission, programs, "the course's own program");
+  note_left_out(submission, submission.course_sources, "the course's own program");
   note_left_out(submission, submission.course_headers,
                 "the grader has its own in place of the course's headers");
 }

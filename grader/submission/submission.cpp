@@ -52,14 +52,48 @@ fs::path unwrap(fs::path folder) {
   return folder;
 }
 
-/// The whole project of Berkeley's course has the homework in src/.
-fs::path enter_course_project(const fs::path& folder) {
+bool is_folder(const fs::path& path) {
   std::error_code error;
-  const fs::path inner = folder / "src";
-  const bool is_project = !fs::exists(folder / "student_code.cpp", error) &&
-                          fs::is_directory(fs::symlink_status(inner, error)) &&
-                          fs::exists(inner / "student_code.cpp", error);
-  return is_project ? inner : folder;
+  return fs::is_directory(fs::symlink_status(path, error));
+}
+
+bool holds_homework(const fs::path& folder) {
+  std::error_code error;
+  return fs::is_regular_file(fs::symlink_status(folder / "student_code.cpp", error));
+}
+
+/// The folders in these folders, but for those that hold what is not the student's.
+std::vector<fs::path> folders_in(const std::vector<fs::path>& folders) {
+  static const std::set<std::string> others{"CGL", "ext", "build", "deps", "docs"};
+  std::vector<fs::path> found;
+  for (const fs::path& folder : folders) {
+    for (const fs::path& entry : list(folder)) {
+      if (is_hidden(entry) || others.count(entry.filename().string()) != 0) continue;
+      if (is_folder(entry)) found.push_back(entry);
+    }
+  }
+  return found;
+}
+
+/// The whole project of Berkeley's course has the homework in src/, and may lie in a folder
+/// beside others, such as that of the report.
+fs::path enter_course_project(const fs::path& folder) {
+  constexpr int kMostDepth = 3;
+  constexpr std::size_t kMostFolders = 200;
+  if (holds_homework(folder)) return folder;
+  if (is_folder(folder / "src") && holds_homework(folder / "src")) return folder / "src";
+  const std::vector<fs::path> here = list(folder);
+  if (std::any_of(here.begin(), here.end(), is_source_name)) return folder;
+  std::vector<fs::path> level{folder};
+  for (int depth = 0; depth < kMostDepth; ++depth) {
+    level = folders_in(level);
+    if (level.size() > kMostFolders) return folder;
+    const auto is_it = [](const fs::path& f) { return holds_homework(f); };
+    const auto found = std::count_if(level.begin(), level.end(), is_it);
+    if (found == 1) return *std::find_if(level.begin(), level.end(), is_it);
+    if (found > 1) return folder;
+  }
+  return folder;
 }
 
 /// The file's text, or a note why it is left out.

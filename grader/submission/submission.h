@@ -30,7 +30,8 @@ struct Submission {
   std::vector<SourceFile> sources;
   std::vector<SourceFile> headers;
   Dialect dialect = Dialect::kMeshedit;
-  std::vector<SourceFile> course_headers;  ///< Berkeley's own, handed in along; not used
+  std::vector<SourceFile> course_sources;  ///< Berkeley's own, handed in along; not compiled
+  std::vector<SourceFile> course_headers;  ///< likewise; the grader has its own instead
   std::vector<std::string> notes;          ///< what was recognised; what was left out, and why
 };
 
@@ -41,9 +42,9 @@ bool is_header_name(const std::filesystem::path& file);
 
 /// Collects the C++ files of a folder or an archive, or a single file. Folders below are not
 /// searched, but when the folder holds nothing than one other folder, that one is taken, and in
-/// a project for Berkeley's skeleton its folder src. A single archive in a folder without C++
-/// files is opened, and once more one within that. Links, devices and files that are too large
-/// are left out with a note.
+/// a project for Berkeley's skeleton the folder that holds student_code.cpp. A single archive
+/// in a folder without C++ files is opened, and once more one within that. Links, devices and
+/// files that are too large are left out with a note.
 /// @throws UserError if there is nothing to grade, or an archive cannot be opened
 Submission find_submission(const std::filesystem::path& path, const SubmissionRules& rules);
 

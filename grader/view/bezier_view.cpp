@@ -29,7 +29,7 @@ Case case_of(const std::string& exercise, const Input& input) {
   return asked;
 }
 
-Json tell(const StudentProgram& program, const Case& asked, const Outcome& outcome) {
+CaseReport tell(const StudentProgram& program, const Case& asked, const Outcome& outcome) {
   ExerciseRubric rubric;
   rubric.name = asked.exercise;
   const ExerciseRubric* known = program.assignment().find(asked.exercise);
@@ -38,7 +38,7 @@ Json tell(const StudentProgram& program, const Case& asked, const Outcome& outco
   Conventions conventions = judge.conventions;
   CaseJudgement judgement =
       judge_case(judge, {asked, outcome, rubric, program.assignment().tolerance}, conventions);
-  return to_json_value(program.tell(asked.exercise, "", std::move(judgement), outcome));
+  return program.tell(asked.exercise, "", std::move(judgement), outcome);
 }
 
 template <class Point>
@@ -58,25 +58,49 @@ CurveInput curve_input(const std::vector<Point2>& points, double t) {
           static_cast<std::uint32_t>(points.size() - 1)};
 }
 
-Json levels_of(const Outcome& outcome) {
-  Json levels = Json::array();
-  for (const std::string& step : outcome.steps)
-    levels.push_back(from_wire<CurveStep>(step).result);
-  return levels;
-}
-
-/// The last point of each outcome, null where the code did not come so far.
-Json curve_of(const std::vector<Outcome>& outcomes, std::size_t steps) {
-  Json curve = Json::array();
+/// The last point of each outcome, if the code came so far.
+std::vector<std::optional<Point2>> curve_of(const std::vector<Outcome>& outcomes,
+                                            std::size_t steps) {
+  std::vector<std::optional<Point2>> curve;
   for (const Outcome& outcome : outcomes) {
-    Json point;
-    if (outcome.steps.size() == steps) {
-      const auto last = from_wire<CurveStep>(outcome.steps.back()).result;
-      if (last.size() == 1) point = last[0];
-    }
-    curve.push_back(std::move(point));
+    std::optional<Point2>& point = curve.emplace_back();
+    if (outcome.steps.size() != steps) continue;
+    const auto last = from_wire<CurveStep>(outcome.steps.back()).result;
+    if (last.size() == 1) point = last[0];
   }
   return curve;
+}
+
+template <class Point>
+Json to_json_list(const std::vector<std::optional<Point>>& points) {
+  Json list = Json::array();
+  for (const auto& point : points)
+    list.push_back(point ? Json(*point) : Json(nullptr));
+  return list;
+}
+
+void require_net(const std::vector<std::vector<Point3>>& net) {
+  if (net.size() < 2 || net.size() > kMostPoints) {
+    throw UserError("a net has 2 to 40 rows here");
+  }
+  for (const std::vector<Point3>& row : net) {
+    if (row.size() != net[0].size() || row.size() < 2 || row.size() > kMostPoints) {
+      throw UserError("the rows of a net have the same 2 to 40 points each");
+    }
+    require_finite(row);
+  }
+}
+
+/// The points of a grid over the whole surface, u running fastest.
+std::vector<Point2> grid_parameters(int density) {
+  std::vector<Point2> parameters;
+  for (int j = 0; j <= density; ++j) {
+    for (int i = 0; i <= density; ++i) {
+      parameters.push_back(
+          {static_cast<double>(i) / density, static_cast<double>(j) / density});
+    }
+  }
+  return parameters;
 }
 
 /// The control net of a request, with nothing asked of it yet.
@@ -84,52 +108,84 @@ PatchInput surface_input(const Json& request) {
   PatchInput input;
   input.function = PatchFunction::kSurface;
   input.net = request.at("net").get<std::vector<std::vector<Point3>>>();
-  if (input.net.size() < 2 || input.net.size() > kMostPoints) {
-    throw UserError("a net has 2 to 40 rows here");
-  }
-  for (const std::vector<Point3>& row : input.net) {
-    if (row.size() != input.net[0].size() || row.size() < 2 || row.size() > kMostPoints) {
-      throw UserError("the rows of a net have the same 2 to 40 points each");
-    }
-    require_finite(row);
-  }
+  require_net(input.net);
   return input;
 }
 
-/// What evaluate gave from one step to before another, null where it gave nothing.
-Json surface_points(const Outcome& outcome, std::size_t from, std::size_t to) {
-  Json list = Json::array();
+/// What evaluate gave from one step to before another, nothing where it gave none.
+std::vector<std::optional<Point3>> surface_points(const Outcome& outcome, std::size_t from,
+                                                  std::size_t to) {
+  std::vector<std::optional<Point3>> list;
   for (std::size_t i = from; i < std::min(to, outcome.steps.size()); ++i) {
     const auto points = from_wire<std::vector<Point3>>(outcome.steps[i]);
-    list.push_back(points.size() == 1 ? Json(points[0]) : Json(nullptr));
+    list.push_back(points.size() == 1 ? std::optional<Point3>(points[0]) : std::nullopt);
   }
   return list;
 }
 
 }  // namespace
 
-Json view_curve(const StudentProgram& program, const Json& request) {
-  const auto points = request.at("points").get<std::vector<Point2>>();
-  const double t = request.at("t");
+CurveLook look_at_curve(const StudentProgram& program, const std::vector<Point2>& points,
+                        double t) {
   if (points.size() < 2 || points.size() > kMostPoints) {
     throw UserError("a curve has 2 to 40 control points here");
   }
   require_finite(points);
   if (!(t >= 0.0 && t <= 1.0)) throw UserError("t goes from 0 to 1");
+  CurveLook look;
+  look.points = points;
+  look.t = t;
   std::vector<Case> cases{case_of("bezier_curve", curve_input(points, t))};
-  Json exact = Json::array();
   for (int i = 0; i <= kCurveSamples; ++i) {
     const CurveInput input = curve_input(points, static_cast<double>(i) / kCurveSamples);
     cases.push_back(case_of("bezier_curve", input));
-    exact.push_back(bernstein(points, input.t));
+    look.exact.push_back(bernstein(points, input.t));
   }
   std::vector<Outcome> outcomes = program.run(cases);
-  Json value{{"told", tell(program, cases[0], outcomes[0])},
-             {"levels", levels_of(outcomes[0])},
-             {"exact", std::move(exact)}};
+  look.told = tell(program, cases[0], outcomes[0]);
+  for (const std::string& step : outcomes[0].steps)
+    look.levels.push_back(from_wire<CurveStep>(step).result);
   outcomes.erase(outcomes.begin());
-  value["curve"] = curve_of(outcomes, points.size() - 1);
-  return value;
+  look.curve = curve_of(outcomes, points.size() - 1);
+  return look;
+}
+
+PatchLook look_at_patches(const StudentProgram& program, const std::vector<ControlNet>& nets,
+                          int density) {
+  if (density < 1 || density > kMostDensity) {
+    throw UserError("a surface is sampled 1 to 64 times along each side");
+  }
+  std::vector<Case> cases;
+  for (const ControlNet& net : nets) {
+    PatchInput input;
+    input.function = PatchFunction::kSurface;
+    for (std::size_t row = 0; row < net.rows; ++row) {
+      input.net.emplace_back();
+      for (std::size_t col = 0; col < net.cols; ++col)
+        input.net.back().push_back(net.at(row, col));
+    }
+    require_net(input.net);
+    input.parameters = grid_parameters(density);
+    cases.push_back(case_of("bezier_patch", input));
+  }
+  const std::vector<Outcome> outcomes = program.run(cases);
+  PatchLook look;
+  look.density = density;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    look.grids.push_back(surface_points(outcomes[i], 0, outcomes[i].steps.size()));
+    if (i == 0 || look.told.verdict == Verdict::kPassed)
+      look.told = tell(program, cases[i], outcomes[i]);
+  }
+  return look;
+}
+
+Json view_curve(const StudentProgram& program, const Json& request) {
+  const CurveLook look = look_at_curve(
+      program, request.at("points").get<std::vector<Point2>>(), request.at("t").get<double>());
+  return {{"told", to_json_value(look.told)},
+          {"levels", look.levels},
+          {"exact", look.exact},
+          {"curve", to_json_list(look.curve)}};
 }
 
 Json view_patch(const StudentProgram& program, const Json& request) {
@@ -138,17 +194,11 @@ Json view_patch(const StudentProgram& program, const Json& request) {
   if (!(asked_density >= 1 && asked_density <= kMostDensity)) {
     throw UserError("a surface is sampled 1 to 64 times along each side");
   }
-  const int density = static_cast<int>(asked_density);
-  for (int j = 0; j <= density; ++j) {
-    for (int i = 0; i <= density; ++i) {
-      input.parameters.push_back(
-          {static_cast<double>(i) / density, static_cast<double>(j) / density});
-    }
-  }
+  input.parameters = grid_parameters(static_cast<int>(asked_density));
   const Case asked = case_of("bezier_patch", input);
   const Outcome outcome = program.run({asked}).at(0);
-  return {{"told", tell(program, asked, outcome)},
-          {"grid", surface_points(outcome, 0, outcome.steps.size())}};
+  return {{"told", to_json_value(tell(program, asked, outcome))},
+          {"grid", to_json_list(surface_points(outcome, 0, outcome.steps.size()))}};
 }
 
 Json view_isocurves(const StudentProgram& program, const Json& request) {
@@ -162,8 +212,9 @@ Json view_isocurves(const StudentProgram& program, const Json& request) {
     input.parameters.push_back({u, static_cast<double>(i) / kCurveSamples});
   const Case asked = case_of("bezier_patch", input);
   const Outcome outcome = program.run({asked}).at(0);
-  return {{"along_u", surface_points(outcome, 0, kCurveSamples + 1)},
-          {"along_v", surface_points(outcome, kCurveSamples + 1, 2 * (kCurveSamples + 1))}};
+  return {{"along_u", to_json_list(surface_points(outcome, 0, kCurveSamples + 1))},
+          {"along_v",
+           to_json_list(surface_points(outcome, kCurveSamples + 1, 2 * (kCurveSamples + 1)))}};
 }
 
 }  // namespace meshgrade

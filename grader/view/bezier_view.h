@@ -1,10 +1,39 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <vector>
 
+#include "grader/mesh/bezier_data.h"
 #include "grader/view/student_program.h"
 
 namespace meshgrade {
+
+/// What the student's function makes of a curve.
+struct CurveLook {
+  std::vector<Point2> points;               ///< the control points
+  double t = 0.5;                           ///< where the levels are
+  std::vector<std::vector<Point2>> levels;  ///< of de Casteljau's algorithm, as far as it came
+  std::vector<std::optional<Point2>> curve;  ///< at evenly spaced parameters, where it came to one
+  std::vector<Point2> exact;                ///< the same by Bernstein's polynomials
+  CaseReport told;                          ///< what the judge says of the levels
+};
+
+/// @throws UserError unless there are 2 to 40 finite points and 0 <= t <= 1
+CurveLook look_at_curve(const StudentProgram& program, const std::vector<Point2>& points,
+                        double t);
+
+/// What the student's evaluate makes of a surface.
+struct PatchLook {
+  int density = 0;  ///< (density + 1)^2 points, u running fastest
+  std::vector<std::vector<std::optional<Point3>>> grids;  ///< of each patch
+  CaseReport told;  ///< what the judge says of the first patch that is wrong
+};
+
+/// @param density  how often a surface is sampled along each side, 1 to 64
+/// @throws UserError unless each net has 2 to 40 rows and columns
+PatchLook look_at_patches(const StudentProgram& program, const std::vector<ControlNet>& nets,
+                          int density);
 
 /// The student's curve: from `points` ([[x, y], ...], 2 to 40 of them) and `t`, the `levels` of
 /// de Casteljau's algorithm by the student's function, the `curve` by it at evenly spaced

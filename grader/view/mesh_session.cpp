@@ -1,9 +1,11 @@
 #include "grader/view/mesh_session.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
+#include "grader/judge/library_check.h"
 #include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
 
@@ -41,9 +43,11 @@ CaseReport tell(const StudentProgram& program, const ViewOperation& operation,
 
 }  // namespace
 
-void MeshSession::open(const std::string& name, const PolygonMesh& mesh) {
+void MeshSession::open(const std::string& name, const PolygonMesh& mesh,
+                       std::vector<std::string> notes) {
   MeshDump first = first_state(mesh);
   name_ = name;
+  notes_ = std::move(notes);
   start_ = mesh;
   operations_.clear();
   stopped_.reset();
@@ -159,6 +163,17 @@ std::vector<ViewLevel> MeshSession::levels() const {
   return levels;
 }
 
+std::vector<Point3> MeshSession::normals_by_number(const Normals& asked) const {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Point3> list;
+  std::size_t next = 0;
+  for (const VertexRecord& v : states_.at(position_).mesh.vertices) {
+    const bool has_one = v.live != 0 && next < asked.normals.size();
+    list.push_back(has_one ? asked.normals[next++] : Point3{kNone, kNone, kNone});
+  }
+  return list;
+}
+
 MeshSession::Normals MeshSession::normals() const {
   if (states_.empty()) throw UserError("there is no mesh yet");
   const std::vector<ViewOperation> done(operations_.begin(),
@@ -177,6 +192,8 @@ MeshSession::Normals MeshSession::normals() const {
   if (outcome.ending == Ending::kFault) {
     const meshedit::FaultKind kind{outcome.fault_kind};
     result.told.note = outcome.subject + " " + meshedit::describe(kind);
+  } else if (outcome.ending == Ending::kLibraryCheck) {
+    result.told.note = "Vertex::normal was stopped: " + library_check_finding(outcome).actual;
   } else if (outcome.ending == Ending::kOutOfTime) {
     result.told.note = "Vertex::normal does not come to its end";
   }

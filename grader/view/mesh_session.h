@@ -40,9 +40,10 @@ class MeshSession {
  public:
   explicit MeshSession(StudentProgram& program) : program_(program) {}
 
-  /// Begins anew with another mesh.
+  /// Begins anew with another mesh. `notes` is what there was to say when it was read.
   /// @throws UserError if half-edges cannot be made of it
-  void open(const std::string& name, const PolygonMesh& mesh);
+  void open(const std::string& name, const PolygonMesh& mesh,
+            std::vector<std::string> notes = {});
 
   /// Compiles the submission again and repeats all operations, also one that was stopped. If a
   /// file does not compile, the program before goes on, and the messages are kept.
@@ -64,7 +65,11 @@ class MeshSession {
   };
   Normals normals() const;
 
+  /// The same by the numbers of the vertices, not finite for those that are deleted.
+  std::vector<Point3> normals_by_number(const Normals& asked) const;
+
   const std::string& name() const { return name_; }
+  const std::vector<std::string>& notes() const { return notes_; }
   const StudentProgram& program() const { return program_; }
   const std::vector<ViewOperation>& operations() const { return operations_; }
   /// One more than operations that came to their end: the first is the mesh as it was opened.
@@ -82,6 +87,7 @@ class MeshSession {
 
   StudentProgram& program_;
   std::string name_;
+  std::vector<std::string> notes_;
   PolygonMesh start_;
   std::vector<ViewOperation> operations_;
   std::vector<ViewState> states_;

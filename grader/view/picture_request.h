@@ -31,6 +31,9 @@ struct PictureRequest {
   bool ids = false;
   bool dark = false;
   bool levels = false;   ///< level 0, 1, ... side by side, not the last one alone
+  bool smooth = false;   ///< shade by the student's vertex normals, without edges
+  bool normals = false;  ///< draw the student's vertex normals as lines
+  bool z_up = false;     ///< +z is up and azimuth 0 looks from -y, as surfaces are modelled
   bool compare = false;  ///< colour vertices by their distance from OpenSubdiv's answer
 };
 

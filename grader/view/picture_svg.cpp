@@ -27,11 +27,12 @@ struct Theme {
   const char* back;   ///< of faces seen from behind
   const char* dim;    ///< of faces that get no light
   const char* light;  ///< of faces that get all
+  const char* normal;
 };
 constexpr Theme kLight{"#fbfcfd", "#2a3440", "#4a5560", "#c03a00",
-                       "#b9a892", "#8796a8", "#dde6f0"};
+                       "#b9a892", "#8796a8", "#dde6f0", "#0a5ca8"};
 constexpr Theme kDark{"#171b20", "#dfe5eb", "#b4bec9", "#ff8f5a",
-                      "#5d4b3a", "#2c343e", "#75859a"};
+                      "#5d4b3a", "#2c343e", "#75859a", "#7fbcf5"};
 
 /// The vertices of a face whose walk closes; empty if it does not.
 /// @param most  half-edges after which it does not
@@ -118,14 +119,15 @@ Ball ball_of(const MeshDump& mesh) {
   return ball;
 }
 
-Projection projection_of(const Camera& camera) {
+Projection projection_of(const Camera& camera, bool z_up) {
   const double radians = std::numbers::pi / 180.0;
   const double azimuth = camera.azimuth * radians;
   // Straight from above or below, up would be lost.
   const double elevation = std::clamp(camera.elevation, -89.9, 89.9) * radians;
-  return {{std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-           std::cos(azimuth) * std::cos(elevation)},
-          {0.0, 1.0, 0.0}};
+  const double right = std::sin(azimuth) * std::cos(elevation);
+  const double front = std::cos(azimuth) * std::cos(elevation);
+  if (z_up) return {{right, -front, std::sin(elevation)}, {0.0, 0.0, 1.0}};
+  return {{right, std::sin(elevation), front}, {0.0, 1.0, 0.0}};
 }
 
 /// Up and to the left of the eye.
@@ -143,8 +145,10 @@ class Painter {
         deviation_(panel.deviation),
         request_(request),
         theme_(request.dark ? kDark : kLight),
-        view_(projection_of(request.camera)),
-        light_(projection_of(lamp_beside(request.camera))),
+        normals_(panel.normals),
+        radius_(ball.radius),
+        view_(projection_of(request.camera, request.z_up)),
+        light_(projection_of(lamp_beside(request.camera), request.z_up)),
         middle_{0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)},
         centre_(view_.on_screen(ball.centre)) {
     const double seen = ball.radius * request.camera.distance *
@@ -160,6 +164,7 @@ class Painter {
     const SvgPen faces = pen_.group("faces");
     for (const std::size_t i : far_to_near(depths))
       paint_shape(faces, shapes[i]);
+    if (request_.normals) paint_normals();
     if (request_.compare && !deviation_.empty()) mark_worst();
     if (request_.ids && mesh_.halfedges.size() <= kMostLabelled) paint_ids(shapes);
   }
@@ -198,7 +203,70 @@ class Painter {
     return mixed_color(theme_.dim, theme_.light, std::max(0.0, facing(light_, shape)));
   }
 
+  bool has_normal(Ref v) const {
+    return v < normals_.size() && is_finite(vector_of(normals_[v]));
+  }
+
+  bool is_smooth(const Shape& shape) const {
+    return request_.smooth && !request_.wireframe && shape.corners.size() == 3 &&
+           std::all_of(shape.corners.begin(), shape.corners.end(),
+                       [&](Ref v) { return has_normal(v); });
+  }
+
+  /// So many pieces along each side that the picture stays small.
+  int pieces() const {
+    constexpr double kMostPieces = 6000.0;
+    const auto faces = static_cast<double>(std::max<std::size_t>(1, mesh_.faces.size()));
+    return static_cast<int>(std::clamp(std::sqrt(kMostPieces / faces), 1.0, 8.0));
+  }
+
+  /// Phong's shading: the normal is interpolated, and each piece gets its own light.
+  void paint_smooth(const SvgPen& pen, const Shape& shape) const {
+    const int n = pieces();
+    const auto mixed = [&](double i, double j, auto of) {
+      const double a = i / n;
+      const double b = j / n;
+      return (1.0 - a - b) * of(shape.corners[0]) + a * of(shape.corners[1]) +
+             b * of(shape.corners[2]);
+    };
+    const auto at = [&](double i, double j) {
+      return mixed(i, j, [&](Ref v) { return spot(place(v)); });
+    };
+    const auto piece = [&](Spot p, Spot q, Spot r, double i, double j) {
+      const meshedit::Vector3D normal =
+          mixed(i, j, [&](Ref v) { return vector_of(normals_[v]); }).unit();
+      const double light = std::max(0.0, dot(normal, light_.towards()));
+      const std::string color = dot(normal, view_.towards()) < 0.0
+                                    ? std::string(theme_.back)
+                                    : mixed_color(theme_.dim, theme_.light, light);
+      pen.polygon({p, q, r}, color.c_str(), {color.c_str(), 0.6});
+    };
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; i + j < n; ++j) {
+        piece(at(i, j), at(i + 1, j), at(i, j + 1), i + 0.33, j + 0.33);
+        if (i + j + 1 < n)
+          piece(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1), i + 0.67, j + 0.67);
+      }
+    }
+  }
+
+  void paint_normals() const {
+    const SvgPen group = pen_.group("normals");
+    for (std::size_t v = 0; v < normals_.size() && v < mesh_.vertices.size(); ++v) {
+      const auto vertex = static_cast<Ref>(v);
+      if (mesh_.vertices[v].live == 0 || !has_normal(vertex)) continue;
+      const meshedit::Vector3D normal = vector_of(normals_[v]);
+      if (!request_.wireframe && dot(normal, view_.towards()) < -0.3) continue;
+      const meshedit::Vector3D tip = vector_of(place(vertex)) + 0.15 * radius_ * normal;
+      group.line(spot(place(vertex)), spot({tip.x, tip.y, tip.z}), {theme_.normal, 1.6});
+    }
+  }
+
   void paint_shape(const SvgPen& pen, const Shape& shape) const {
+    if (is_smooth(shape)) {
+      paint_smooth(pen, shape);
+      return;
+    }
     std::vector<Spot> spots;
     for (const Ref v : shape.corners)
       spots.push_back(spot(place(v)));
@@ -220,8 +288,8 @@ class Painter {
   }
 
   void label(const SvgPen& pen, Spot at, const std::string& text, const char* ground) const {
-    constexpr double kSize = 11.5;
-    pen.box(box_around(at, text_width(text, kSize) + 6.0, 15.0), 3.0, ground, {});
+    constexpr double kSize = 13.0;
+    pen.box(box_around(at, text_width(text, kSize) + 6.0, 16.5), 3.0, ground, {});
     pen.text(at, text, {kSize, ground == theme_.ground ? theme_.ink : theme_.ground});
   }
 
@@ -234,7 +302,7 @@ class Painter {
     for (const Shape& shape : shapes) {
       if (shape.corners.size() < 3 || (!open && facing(view_, shape) <= 0.0)) continue;
       pen_.group("face-id").text(spot(middle_of(shape)), face_name(shape.face),
-                                 {11.5, theme_.ink});
+                                 {13.0, theme_.ink});
       vertices.insert(shape.corners.begin(), shape.corners.end());
       for (std::size_t i = 0; i < shape.corners.size(); ++i)
         seen.insert(
@@ -255,6 +323,8 @@ class Painter {
   const Deviation& deviation_;
   const PictureRequest& request_;
   const Theme& theme_;
+  const std::vector<Point3>& normals_;
+  double radius_;
   Projection view_;
   Projection light_;
   Spot middle_;
@@ -283,7 +353,7 @@ void draw_legend(const SvgPen& pen, const Deviation& deviation, const PictureReq
               deviation_color(deviation, part).c_str(), {});
   }
   const std::array<std::string, 2> ends = deviation_ends(deviation);
-  Lettering small{11.5, theme.ink, false, Anchor::kStart, false};
+  Lettering small{13.0, theme.ink, false, Anchor::kStart, false};
   group.text({14.0, top + 22.0}, ends[0], small);
   const auto letters = static_cast<std::size_t>((request.size.width - kWidth - 40.0) /
                                                 text_width("m", small.size));
@@ -329,7 +399,7 @@ void draw(const SvgPen& pen, const std::vector<PicturePanel>& panels,
     const double head = panels[i].caption.empty() ? 0.0 : kCaption;
     if (head > 0.0) {
       pen.text(corner + Spot{0.5 * w, 17.0}, panels[i].caption,
-               {14.0, theme.ink, false, Anchor::kMiddle, false});
+               {15.0, theme.ink, false, Anchor::kMiddle, false});
     }
     const Box box{corner.x, corner.y + head, corner.x + w, corner.y + h};
     Painter(pen.clipped_group("mesh", box), panels[i], request, ball, box).paint();

@@ -14,6 +14,9 @@ struct PicturePanel {
   std::string caption;
   const MeshDump& mesh;
   const Deviation& deviation;
+  /// The student's normals of the vertices by their numbers, not finite where there is none;
+  /// empty: none are asked for.
+  std::vector<Point3> normals = {};
 };
 
 /// Draws meshes beside each other without perspective, the far faces first. Broken meshes are

@@ -95,6 +95,7 @@ Json to_json_value(const MeshSession& session) {
 Json to_json_value(const MeshSession& session, const WriteMesh& write_mesh) {
   Json value{{"submission", session.program().name()},
              {"mesh", session.name()},
+             {"notes", session.notes()},
              {"build", build_value(session.program())},
              {"timeline", timeline_value(session)},
              {"position", session.position()},

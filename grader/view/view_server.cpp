@@ -6,11 +6,13 @@
 #include <condition_variable>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "grader/base/errors.h"
 #include "grader/base/process.h"
+#include "grader/base/text.h"
 #include "grader/files/mesh_file.h"
 #include "grader/report/html_report.h"
 #include "grader/view/bezier_view.h"
@@ -73,7 +75,7 @@ ViewOperation operation_of(const Json& request) {
 }
 
 /// A mesh that the page has sent, read like any file of its name.
-PolygonMesh read_sent(const std::string& name, const std::string& bytes) {
+LoadedMesh read_sent(const std::string& name, const std::string& bytes) {
   const ScratchFolder folder;
   const std::filesystem::path own = std::filesystem::path(name).filename();
   const std::string extension = own.extension().string();
@@ -81,7 +83,7 @@ PolygonMesh read_sent(const std::string& name, const std::string& bytes) {
   const std::filesystem::path file = folder.path() / ("mesh" + extension);
   std::ofstream(file, std::ios::binary) << bytes;
   try {
-    return read_mesh(file).mesh;
+    return read_mesh(file);
   } catch (const UserError& error) {
     // The user's name for it, not ours.
     const std::string what = error.what();
@@ -194,7 +196,10 @@ class ViewServer::Impl {
     });
     add_post("/open", [this](const httplib::Request& request) {
       const std::string name = request.get_param_value("name");
-      session_.open(name, read_sent(name, request.body));
+      const LoadedMesh loaded = read_sent(name, request.body);
+      session_.open(name, loaded.mesh, loaded.notes);
+      for (const std::string& note : loaded.notes)
+        std::cerr << printable(name) << ": note: " << note << "\n";
       return answer_for_page(session_);
     });
     add_question("/normals", [this](const Json&) {

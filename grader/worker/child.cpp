@@ -59,15 +59,20 @@ void run_exercise(const Task& task, Recorder& recorder) {
   ::_exit(kTaskRecordedStatus);
 }
 
-[[noreturn]] void on_fault(const meshedit::Fault& fault) {
+/// Completes the frame with what was done until now.
+[[noreturn]] void interrupt_task(EndFrame frame) {
   meshedit::detail::steps_left = INT64_MAX;
+  frame.stack = call_stack();
+  frame.interrupted = running.recorder->interrupted_state();
+  end_task(std::move(frame));
+}
+
+[[noreturn]] void on_fault(const meshedit::Fault& fault) {
   EndFrame frame;
   frame.ending = Ending::kFault;
   frame.fault_kind = static_cast<std::uint32_t>(fault.kind);
   frame.subject = fault.subject;
-  frame.stack = call_stack();
-  frame.interrupted = running.recorder->interrupted_state();
-  end_task(std::move(frame));
+  interrupt_task(std::move(frame));
 }
 
 [[noreturn]] void on_terminate() {
@@ -214,6 +219,14 @@ std::string frame_bytes(FrameKind kind, const std::string& payload) {
 
 }  // namespace
 
+void library_check_failed(const std::string& what) {
+  if (running.recorder == nullptr) return;
+  EndFrame frame;
+  frame.ending = Ending::kLibraryCheck;
+  frame.subject = what;
+  interrupt_task(std::move(frame));
+}
+
 void Recorder::write_step(const std::string& bytes) {
   const StepFrame frame{running.shared->tasks_done, bytes};
   const LargeFiles large;
@@ -266,7 +279,8 @@ void run_tasks(const TaskList& list, const std::set<std::uint32_t>& given_up,
     } else {
       run_task(task);
     }
-  } while (!list.alone && shared.tasks_done < list.tasks.size());
+  } while (!list.alone && shared.tasks_done < list.tasks.size() &&
+           !list.tasks[shared.tasks_done].fresh);
   ::_exit(kTaskRecordedStatus);
 }
 

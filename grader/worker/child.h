@@ -1,6 +1,7 @@
 #pragma once
 
 #include <set>
+#include <string>
 
 #include "grader/base/protocol.h"
 #include "grader/worker/result_file.h"
@@ -16,6 +17,10 @@ constexpr int kSignalNotedStatus = 92;
 /// up. Never returns: ends the process.
 [[noreturn]] void run_tasks(const TaskList& list, const std::set<std::uint32_t>& given_up,
                             SharedState& shared);
+
+/// Writes down that the standard library refused a call in the task under way, and ends the
+/// process. Returns if there is none: a constructor of a global object may fail before.
+void library_check_failed(const std::string& what);
 
 /// Completes the frame with what was printed, writes it, and counts its task as done.
 void write_end(EndFrame frame, SharedState& shared, std::uint64_t limit);

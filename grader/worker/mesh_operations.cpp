@@ -52,6 +52,8 @@ void run_mesh_operations(WireReader& input, Recorder& recorder) {
   }
   for (const Operation& operation : asked.operations) {
     const meshedit::EdgeIter edge = find_edge(mesh, operation);
+    if (asked.anchoring == Anchoring::kOnEachEdge && edge != meshedit::EdgeIter())
+      anchor_on(edge);
     OperationStep step;
     step.edge = dump_handle(mesh, edge);
     recorder.set_state_source([&mesh, step]() mutable {

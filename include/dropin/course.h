@@ -15,8 +15,26 @@
 // anything. It gets a name of its own beside meshedit's; adapter.cpp connects the two.
 #define MeshResampler CourseMeshResampler
 
+// Where the course's handles are the iterators of a list, so that some write
+// `list<Vertex>::iterator`.
+namespace std {  // NOLINT(cert-dcl58-cpp): for types of our own
+template <>
+class list<meshedit::Halfedge> : public meshedit::detail::Pool<meshedit::Halfedge> {};
+template <>
+class list<meshedit::Vertex> : public meshedit::detail::Pool<meshedit::Vertex> {};
+template <>
+class list<meshedit::Edge> : public meshedit::detail::Pool<meshedit::Edge> {};
+template <>
+class list<meshedit::Face> : public meshedit::detail::Pool<meshedit::Face> {};
+}  // namespace std
+
 // NOLINTBEGIN(google-global-names-in-headers): the course's headers do this, and homework
 // depends on it.
 using namespace std;
 using namespace meshedit;
 // NOLINTEND(google-global-names-in-headers)
+
+#include "CGL/color.h"
+#include "CGL/matrix3x3.h"
+#include "CGL/matrix4x4.h"
+#include "CGL/vector4D.h"

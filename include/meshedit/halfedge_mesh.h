@@ -74,6 +74,9 @@ using EdgeCIter = Handle<const Edge>;
 using FaceIter = Handle<Face>;
 using FaceCIter = Handle<const Face>;
 
+/// What the four kinds have in common.
+using HalfedgeElement = detail::Element;
+
 using Index = std::size_t;
 using Size = std::size_t;
 
@@ -84,8 +87,19 @@ class MeshError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+}  // namespace meshedit
+
+// A homework for Berkeley's skeleton may have members of its own in these classes. For such a
+// homework, and for no other, the grader makes these files: the data become bases, and the
+// functions stand in the classes.
+#ifdef MESHEDIT_ADDED
+#include "meshedit_added_data.h"
+#endif
+
+namespace meshedit {
+
 /// One side of an edge. Starts at vertex(), ends where its twin starts.
-class Halfedge : public detail::Element {
+class Halfedge : public detail::Element, public detail::Added<Halfedge> {
  public:
   static constexpr const char* kHandleName = "half-edge handle";
 
@@ -120,10 +134,47 @@ class Halfedge : public detail::Element {
  private:
   template <class T>
   void refuse_foreign(const Handle<T>& handle) const;
+
+#ifdef MESHEDIT_ADDED
+ public:
+#include "meshedit_added_halfedge.h"
+#endif
+};
+
+/// A polygon of the surface, or a boundary loop.
+class Face : public detail::Element, public detail::Added<Face> {
+ public:
+  static constexpr const char* kHandleName = "face handle";
+
+  explicit Face(bool isBoundary = false) : detail::Added<Face>(), _isBoundary(isBoundary) {}
+
+  /// One of the half-edges around the face.
+  HalfedgeIter& halfedge() { return _halfedge; }
+  HalfedgeCIter halfedge() const { return _halfedge; }
+
+  /// The number of corners.
+  Size degree() const;
+
+  /// True for a boundary loop, which is no polygon of the surface.
+  bool isBoundary() const { return _isBoundary; }
+
+  /// The unit normal of a polygon: counter-clockwise corners are seen from outside.
+  Vector3D normal() const;
+
+ protected:
+  friend struct detail::Inspector;
+
+  HalfedgeIter _halfedge;
+  bool _isBoundary;
+
+#ifdef MESHEDIT_ADDED
+ public:
+#include "meshedit_added_face.h"
+#endif
 };
 
 /// A corner point of the surface.
-class Vertex : public detail::Element {
+class Vertex : public detail::Element, public detail::Added<Vertex> {
  public:
   static constexpr const char* kHandleName = "vertex handle";
 
@@ -156,22 +207,36 @@ class Vertex : public detail::Element {
   Vector3D newPosition;  ///< yours, for example for Loop subdivision
   Vector3D centroid;     ///< yours
   bool isNew = false;    ///< yours
+#ifdef MESHEDIT_ADDED
+#include "meshedit_added_vertex.h"
+#endif
 };
 
 /// A place for the cost of an edge, for those who go on to mesh simplification.
 class EdgeRecord {
  public:
+  EdgeRecord() = default;
+  /// Left for you to define, should you need it: the record of this edge.
+  EdgeRecord(EdgeIter& of);  // NOLINT(google-explicit-constructor)
+
   EdgeIter edge;
   Vector3D optimalPoint;
   double score = 0.0;
 };
 
+/// By score; where that is equal, by the order of the edges.
+inline bool operator<(const EdgeRecord& a, const EdgeRecord& b) {
+  return a.score != b.score ? a.score < b.score : a.edge < b.edge;
+}
+
 /// An edge of the surface: two half-edges, each the twin of the other.
-class Edge : public detail::Element {
+class Edge : public detail::Element, public detail::Added<Edge> {
  public:
   static constexpr const char* kHandleName = "edge handle";
 
-  explicit Edge(EdgeRecord& place) : record(place) {}
+  /// An edge outside of a mesh. All of them share one record.
+  Edge();
+  explicit Edge(EdgeRecord& place) : detail::Added<Edge>(), record(place) {}
   Edge(EdgeRecord& place, const Edge& other);
   /// A copy outside of a mesh shares the record of the original.
   Edge(const Edge& other) = default;
@@ -197,38 +262,14 @@ class Edge : public detail::Element {
   bool isNew = false;    ///< yours, for example for Loop subdivision
   Vector3D newPosition;  ///< yours
   EdgeRecord& record;    ///< yours; it lies apart from the edge, since few need it
-};
-
-/// A polygon of the surface, or a boundary loop.
-class Face : public detail::Element {
- public:
-  static constexpr const char* kHandleName = "face handle";
-
-  explicit Face(bool isBoundary = false) : _isBoundary(isBoundary) {}
-
-  /// One of the half-edges around the face.
-  HalfedgeIter& halfedge() { return _halfedge; }
-  HalfedgeCIter halfedge() const { return _halfedge; }
-
-  /// The number of corners.
-  Size degree() const;
-
-  /// True for a boundary loop, which is no polygon of the surface.
-  bool isBoundary() const { return _isBoundary; }
-
-  /// The unit normal of a polygon: counter-clockwise corners are seen from outside.
-  Vector3D normal() const;
-
- protected:
-  friend struct detail::Inspector;
-
-  HalfedgeIter _halfedge;
-  bool _isBoundary;
+#ifdef MESHEDIT_ADDED
+#include "meshedit_added_edge.h"
+#endif
 };
 
 /// A surface. New elements are appended at the end of their list, begin with all pointers
 /// unset, isNew false and positions 0, and keep their address until they are deleted.
-class HalfedgeMesh {
+class HalfedgeMesh : public detail::Added<HalfedgeMesh> {
  public:
   HalfedgeMesh();
   /// A deep copy: same elements in the same order, none shared.
@@ -336,6 +377,11 @@ class HalfedgeMesh {
 
  private:
   std::uint32_t serial_;  ///< tells this mesh from all others
+
+#ifdef MESHEDIT_ADDED
+ public:
+#include "meshedit_added_mesh.h"
+#endif
 };
 
 }  // namespace meshedit

@@ -72,6 +72,12 @@ TEST_F(BatchCommand, PicturesLieBesideTheReportUntilNothingIsWrong) {
              read_whole_file(wrong("edge_flip/next_wrong/edge_flip.cpp")));
   batch({"-o", results_.string()});
   const fs::path pictures = results_ / "results" / "ann" / "figures";
+  // A student finds the picture from beside the text.
+  const std::string text = read_whole_file(pictures.parent_path() / "report.txt");
+  const std::size_t named = text.find("picture   ");
+  ASSERT_NE(named, std::string::npos);
+  const std::string name = text.substr(named + 10, text.find('\n', named) - named - 10);
+  EXPECT_TRUE(fs::is_regular_file(pictures.parent_path() / name)) << name;
   ASSERT_TRUE(fs::is_directory(pictures));
   const std::string first = fs::directory_iterator(pictures)->path().filename().string();
   EXPECT_THAT(read_whole_file(results_ / "results" / "ann" / "report.json"), HasSubstr(first));
@@ -198,9 +204,21 @@ TEST(BatchProgress, TheBarCountsAndTellsTheTimeLeft) {
 TEST(BatchProgress, ALineSaysWhoAndWhat) {
   const Roster roster = roster_of(2);
   BatchProgress progress(roster, 2, false);
-  BatchStep step{1, ResultStatus::kGraderError, false, 0.0, 0.0, "its process died"};
+  BatchStep step{1, ResultStatus::kUngradable, false, false, 0.0, 0.0, "no C++ source file"};
   progress.count(step);
-  EXPECT_EQ(progress.line(step), "1/2 student1: grader error (its process died)");
+  EXPECT_EQ(progress.line(step), "1/2 student1: ungradable (no C++ source file)");
+}
+
+TEST(BatchProgress, ASecondTryIsToldAndCounted) {
+  const Roster roster = roster_of(2);
+  BatchProgress progress(roster, 2, false);
+  progress.count({0, ResultStatus::kGraded, false, true, 7.0, 10.0, "its process died"});
+  const BatchStep failed{1, ResultStatus::kGraderError, false, true, 0.0, 0.0, "no memory"};
+  progress.count(failed);
+  EXPECT_EQ(progress.line(failed),
+            "2/2 student1: grader error (at the second try, after an error of the grader: no "
+            "memory)");
+  EXPECT_EQ(progress.again(), 2U);
 }
 
 }  // namespace

@@ -32,6 +32,10 @@ Expectation read_expectation(const std::filesystem::path& folder) {
   expected.verdict = table["verdict"].value_or(expected.verdict);
   expected.rule = table["rule"].value_or(expected.rule);
   expected.points = table["points"].value<double>();
+  if (const toml::array* range = table["points"].as_array()) {
+    expected.points = range->at(0).value<double>();
+    expected.most_points = range->at(1).value<double>();
+  }
   expected.extra_points = table["extra_points"].value<double>();
   expected.alone = table["alone"].value_or(false);
   if (const toml::array* says = table["says"].as_array()) {

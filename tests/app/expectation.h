@@ -4,7 +4,7 @@
 //
 //   verdict = "failed"          of the exercise
 //   rule = "anchor"             of the finding that the student sees first; none if left out
-//   points = 14                 without extra credit
+//   points = 14                 without extra credit; [10, 18] is a range
 //   extra_points = 5            nothing is asked if left out
 //   says = ["h4.next"]          texts that the student's page on the exercise contains
 //   probably = ["t-swapped"]    misconceptions that are named in any of its cases; none if left
@@ -39,7 +39,8 @@ namespace meshgrade {
 struct Expectation {
   std::string verdict = "passed";
   std::string rule;
-  std::optional<double> points;
+  std::optional<double> points;       ///< the least, if there is a range
+  std::optional<double> most_points;  ///< of a range
   std::optional<double> extra_points;
   std::vector<std::string> says;
   std::set<std::string> probably;

@@ -50,7 +50,13 @@ TEST_F(FiguresOption, CheckDrawsTheExplainedFailuresAndSaysWhere) {
 TEST_F(FiguresOption, CheckDrawsNothingOfTheReference) {
   const Said said = call({"check", reference(), "edge_flip", "--figures", pictures().string()});
   EXPECT_THAT(said.output, HasSubstr("no pictures"));
-  EXPECT_EQ(files(), std::set<std::string>());
+  EXPECT_FALSE(std::filesystem::exists(pictures())) << "an empty folder is left behind";
+}
+
+TEST_F(FiguresOption, EmptyFolderThatWasThereBeforeStays) {
+  std::filesystem::create_directories(pictures());
+  call({"check", reference(), "edge_flip", "--figures", pictures().string()});
+  EXPECT_TRUE(std::filesystem::is_directory(pictures()));
 }
 
 TEST_F(FiguresOption, OtherFilesOfTheFolderStay) {

@@ -66,7 +66,8 @@ TEST(Assignment, LeastOneHasTheStandardValues) {
   EXPECT_TRUE(a.submission.headers);
   const Group& group = a.exercises.at(0).groups.at(0);
   EXPECT_EQ(group.title, "basic");
-  EXPECT_FALSE(group.extra_credit || group.partial);
+  EXPECT_FALSE(group.extra_credit);
+  EXPECT_EQ(group.partial, Partial::kNone);
   EXPECT_EQ(a.points(), 3.0);
 }
 
@@ -77,7 +78,7 @@ TEST(Assignment, EveryKeyIsRead) {
       "memory_mb = 5\nresult_mb = 6\n"
       "[submission]\nheaders = false\nfiles = 7\nfile_kb = 8\n"
       "[[exercise]]\nname = \"a\"\ntitle = \"A\"\n[exercise.options]\nx = \"y\"\n"
-      "[[exercise.group]]\nname = \"g\"\npoints = 0.5\npartial = true\n"
+      "[[exercise.group]]\nname = \"g\"\npoints = 0.5\npartial = \"cases\"\n"
       "[[exercise.group]]\nname = \"h\"\npoints = 2\nextra_credit = true\nneeds = \"g\"\n"
       "[[exercise]]\nname = \"b\"\nneeds = [\"a\"]\n"
       "[[exercise.group]]\nname = \"g\"\npoints = 1\n",
@@ -95,7 +96,7 @@ TEST(Assignment, EveryKeyIsRead) {
   const ExerciseRubric& first = a.exercises[0];
   EXPECT_EQ(first.title, "A");
   EXPECT_EQ(first.options.at("x").value, "y");
-  EXPECT_TRUE(first.groups[0].partial);
+  EXPECT_EQ(first.groups[0].partial, Partial::kCases);
   EXPECT_TRUE(first.groups[1].extra_credit);
   EXPECT_EQ(first.groups[1].needs, "g");
   EXPECT_EQ(first.points(), 0.5);
@@ -152,7 +153,8 @@ TEST(Assignment, EveryMistakeIsOneLineWithPlaceAndKey) {
       {"points = 3", "points = nan", "a.toml:8:", "points"},
       {"points = 3", "points = inf", "a.toml:8:", "points"},
       {"points = 3", "points = true", "a.toml:8:", "points"},
-      {"", "partial = 1", "a.toml:9:", "partial"},
+      {"", "partial = 1", "a.toml:9:", "\"none\", \"cases\", \"pointers\""},
+      {"", "partial = \"most\"", "a.toml:9:", "\"none\", \"cases\", \"pointers\""},
       {"", "extra_credit = \"yes\"", "a.toml:9:", "extra_credit"},
       {"", "needs = \"later\"", "a.toml:9:", "needs"},
       {"", "needs = \"basic\"", "a.toml:9:", "needs"},

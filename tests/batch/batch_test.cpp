@@ -59,18 +59,54 @@ TEST(Batch, ADisasterIsOnlyItsOwn) {
 TEST(Batch, WhatHasNotChangedIsNotGradedAgain) {
   MadeUpClass made({{"ann", "10"}, {"bob", "2"}, {"cem", "throw"}});
   made.run();
-  EXPECT_THAT(made.graded(), ElementsAre("ann", "bob", "cem"));
+  EXPECT_THAT(made.graded(), ElementsAre("ann", "bob", "cem", "cem"));
   made.run();
-  EXPECT_THAT(made.graded(), ElementsAre("cem")) << "a fault of the grader is tried again";
+  EXPECT_THAT(made.graded(), ElementsAre("cem", "cem"))
+      << "a fault of the grader is tried again";
   EXPECT_TRUE(made.steps["ann"].kept);
   EXPECT_EQ(made.steps["bob"].points, 2.0);
   made.hand_in("bob", "9");
   made.run();
-  EXPECT_THAT(made.graded(), ElementsAre("bob", "cem"));
+  EXPECT_THAT(made.graded(), ElementsAre("bob", "cem", "cem"));
   EXPECT_EQ(made.result_of("bob").report->points, 9.0);
   made.grading.identity = "grader 2";
   made.run();
-  EXPECT_THAT(made.graded(), ElementsAre("ann", "bob", "cem"));
+  EXPECT_THAT(made.graded(), ElementsAre("ann", "bob", "cem", "cem"));
+}
+
+TEST(Batch, AnErrorOfTheGraderIsTriedOnceMoreAndSaid) {
+  for (const char* once : {"throw once", "die once", "error once"}) {
+    SCOPED_TRACE(once);
+    MadeUpClass made({{"ann", "10"}, {"bob", once}});
+    EXPECT_TRUE(made.run());
+    EXPECT_THAT(made.graded(), ElementsAre("ann", "bob", "bob"));
+    EXPECT_EQ(made.result_of("bob").status, ResultStatus::kGraded);
+    EXPECT_EQ(made.result_of("bob").report->points, 1.0);
+    EXPECT_TRUE(made.steps["bob"].again);
+    EXPECT_FALSE(made.steps["bob"].reason.empty());
+    EXPECT_FALSE(made.steps["ann"].again);
+  }
+}
+
+TEST(Batch, AFolderOfGraderErrorsIsResumedByTheSameCommand) {
+  MadeUpClass::Texts texts;
+  for (int i = 0; i < 16; ++i)
+    texts["student" + std::to_string(i)] = i % 2 == 0 ? "die" : "throw";
+  MadeUpClass made(texts);
+  made.run(with_jobs(3));
+  for (const auto& [who, text] : texts)
+    EXPECT_EQ(made.result_of(who).status, ResultStatus::kGraderError) << who;
+  const Grading real = made.grading;
+  made.grading.grade = [&](const Submission& submission, unsigned slot) {
+    Submission mended = submission;
+    mended.sources.at(0).text = "5";
+    return real.grade(mended, slot);
+  };
+  made.run(with_jobs(3));
+  for (const auto& [who, text] : texts) {
+    EXPECT_EQ(made.result_of(who).status, ResultStatus::kGraded) << who;
+    EXPECT_EQ(made.result_of(who).report->points, 5.0) << who;
+  }
 }
 
 TEST(Batch, ForceAndOnlyChooseWhoIsGraded) {

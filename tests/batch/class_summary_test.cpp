@@ -105,6 +105,30 @@ TEST(ClassSummary, ARuleCountsOnceForEachHandIn) {
   EXPECT_EQ(summary.suspicious[1].key, "flo");
 }
 
+TEST(ClassSummary, ExtraCreditThatWasNotTriedBreaksNoRule) {
+  const auto rules_with = [](std::size_t passed) {
+    const ScratchFolder folder;
+    const ResultStore store(folder.path());
+    Report report = failed_with({"boundary"}, "");
+    for (CaseReport& c : report.exercises[0].cases)
+      c.group = "extra";
+    GroupReport group;
+    group.name = "extra";
+    group.extra_credit = true;
+    group.passed = passed;
+    report.exercises[0].groups = {group};
+    store.save({"ann", "", ResultStatus::kGraded, "", report}, "");
+    ClassResults results;
+    ClassRow row;
+    row.key = "ann";
+    row.status = ResultStatus::kGraded;
+    results.rows.push_back(row);
+    return summarize(results, store).rules.size();
+  };
+  EXPECT_EQ(rules_with(0), 0U);
+  EXPECT_EQ(rules_with(1), 1U) << "who tried it is told what is wrong";
+}
+
 TEST(ClassDiff, NamesWhoChangedAndByHowMuch) {
   const GradedClass before({{"ann", "10"}, {"bob", "2"}, {"cem", "3"}, {"dan", "throw"}});
   const GradedClass after({{"ann", "10"}, {"bob", "7"}, {"dan", "4"}, {"eve", "1"}});

@@ -11,6 +11,8 @@
 
 #include "grader/app/context.h"
 #include "grader/app/grading.h"
+#include "grader/base/process.h"
+#include "tests/dropin/course_project.h"
 
 namespace meshgrade {
 namespace {
@@ -80,7 +82,8 @@ TEST_P(RightHomework, GetsEveryPoint) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Years, RightHomework,
-                         testing::Values("of_2017", "of_2019", "since_2020", "whole_project"),
+                         testing::Values("of_2017", "of_2019", "since_2020", "whole_project",
+                                         "added_members"),
                          folder_name);
 
 TEST(Homework, BoundarySplitsEarnTheExtraCredit) {
@@ -99,10 +102,72 @@ TEST(Homework, Of2016IsGradedWithoutItsBezierPart) {
   EXPECT_TRUE(has_note(report, "2016; its Bezier functions are of another form"));
 }
 
-TEST(Homework, UntouchedSkeletonGetsNoPoints) {
-  const Report report = grade_all(hand_in("untouched"));
+class Untouched : public testing::TestWithParam<std::string> {};
+
+TEST_P(Untouched, IsNotImplementedInAllExercises) {
+  const Report report = grade_all(hand_in(GetParam()));
   EXPECT_EQ(report.points, 0.0);
-  EXPECT_FALSE(report.has_grader_error());
+  for (const auto& [exercise, verdict] : verdicts(report))
+    EXPECT_EQ(verdict, "not implemented") << exercise;
+}
+
+INSTANTIATE_TEST_SUITE_P(Years, Untouched,
+                         testing::Values("untouched", "untouched_2016", "untouched_2017"),
+                         folder_name);
+
+/// What all findings of these exercises say, with the names of the cases and groups.
+std::string all_words(const std::vector<ExerciseReport>& exercises) {
+  std::string words;
+  for (const ExerciseReport& exercise : exercises) {
+    for (const GroupReport& group : exercise.groups)
+      words += group.title + "\n";
+    for (const CaseReport& c : exercise.cases) {
+      words += c.title + " " + c.note + "\n";
+      for (const FindingReport& f : c.findings)
+        words += f.finding.meaning + " " + f.finding.element + " " + f.finding.look_at + "\n";
+    }
+  }
+  return words;
+}
+
+TEST(Bezier, OfThePatchAsksForNetsOf4x4Only) {
+  const Report report = grade_all(hand_in("one_point"));
+  EXPECT_EQ(points(report, "bezier_curve"), 10.0);
+  EXPECT_EQ(points(report, "bezier_patch"), 15.0);
+}
+
+TEST(Bezier, AmongTheCoursesOwnFilesIsThatOfTheStudent) {
+  for (const char* homework : {"one_point", "of_2017"}) {
+    const ScratchFolder folder;
+    put_into_course_project(kHomework / homework, folder.path());
+    const Report report = grade_all(find_submission(folder.path(), SubmissionRules()));
+    EXPECT_EQ(points(report, "bezier_curve"), 10.0) << homework;
+    EXPECT_EQ(points(report, "bezier_patch"), 15.0) << homework;
+  }
+}
+
+TEST(Bezier, FindingsOf2017NameNoFunctionThatTheYearLacks) {
+  Submission submission = hand_in("of_2017");
+  std::string& text = submission.sources.at(0).text;
+  const std::size_t at = text.find("BezierPatch::evaluate1D");
+  ASSERT_NE(at, std::string::npos);
+  text.insert(text.find('{', at) + 1, " if (t > 0) return points[0];\n");
+  const Report report = grade_all(submission);
+  EXPECT_EQ(verdicts(report)["bezier_patch"], "failed");
+  EXPECT_EQ(all_words(report.exercises).find("BezierPatch::evaluateStep"), std::string::npos);
+  for (const ExerciseReport& exercise : report.exercises) {
+    if (exercise.name != "bezier_patch") continue;
+    EXPECT_EQ(all_words({exercise}).find("evaluateStep"), std::string::npos);
+  }
+}
+
+TEST(Bezier, MayCountOnFourPoints) {
+  Submission submission = hand_in("of_2017");
+  std::string& text = submission.sources.at(0).text;
+  const std::size_t at = text.find("BezierPatch::evaluate1D");
+  ASSERT_NE(at, std::string::npos);
+  text.insert(text.find('{', at) + 1, " if (points.size() != 4) return Vector3D(9);\n");
+  EXPECT_EQ(points(grade_all(submission), "bezier_patch"), 15.0);
 }
 
 TEST(Homework, CourseProgramsAreLeftOutOfAWholeProject) {
@@ -179,19 +244,88 @@ TEST(BrokenFunction, MayBeAHelperOfOneExercise) {
   EXPECT_EQ(report.points, report.max_points - 20.0);
 }
 
-TEST(AddedMembers, AreNamedWithTheirLineAndCostOnlyTheirUsers) {
-  const Report report = grade_all(hand_in("added_members"));
-  EXPECT_TRUE(
-      has_note(report,
-               "student_code.cpp:160 uses Vertex::timesSplit, a member that was added to "
-               "the course's header (halfEdgeMesh.h, line 11)"));
-  EXPECT_TRUE(
-      has_note(report,
-               "student_code.cpp:70 uses HalfedgeMesh::canFlip, a member that was added "
-               "to the course's header (halfEdgeMesh.h, line 18)"));
-  EXPECT_EQ(verdicts(report)["edge_flip"], "not compiled");
-  EXPECT_EQ(verdicts(report)["edge_split"], "not compiled");
+TEST(AddedMembers, MayBeToldFromTheirUse) {
+  Submission submission = hand_in("added_members");
+  submission.course_headers.clear();
+  const Report report = grade_all(submission);
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_TRUE(has_note(report, "uses Vertex::timesSplit, which no header that was handed in"));
+  EXPECT_TRUE(has_note(report, "defines HalfedgeMesh::canFlip, which no header"));
+}
+
+/// The homework `since_2020` that marks edges in a member of its own, declared like this.
+Submission hand_in_marking(const std::string& declaration, const std::string& behind = "") {
+  Submission submission =
+      hand_in_with("VertexIter m = newVertex();", "VertexIter m = newVertex(); m->mine += 1;");
+  submission.course_headers = {{"halfEdgeMesh.h", "class Vertex {\n public:\n  Vector3D " +
+                                                      ("position;\n  " + declaration) +
+                                                      "\n};\n" + behind}};
+  return submission;
+}
+
+TEST(AddedMembers, MayBeOfAnyTypeThatTheGraderKnows) {
+  const Report report = grade_all(
+      hand_in_marking("float mine, yours; double half = 0.5; static constexpr int k = 3;\n"
+                      "  std::vector<EdgeIter> near; map<VertexIter, double> far; Matrix3x3 "
+                      "turn; Color paint;\n"
+                      "  enum Kind { A, B }; Kind kind; long row[3];\n"
+                      "  bool any() const { return yours + half + k + near.size() + far.size() "
+                      "+ turn.norm() +\n"
+                      "                            paint.r + kind + row[0] > 0; }\n"
+                      "  void touch() { if (any()) mine = 1; }"));
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_TRUE(has_note(report, "halfEdgeMesh.h holds members of your own"));
+}
+
+TEST(AddedMembers, BeginAtZeroAndAreCopiedWithTheMesh) {
+  Submission submission = hand_in_marking("int mine; HalfedgeIter out;");
+  std::string& text = submission.sources.at(0).text;
+  const std::string mark = "VertexIter m = newVertex(); m->mine += 1;";
+  text.replace(text.find(mark), mark.size(),
+               "VertexIter m = newVertex(); if (m->mine != 0) abort(); m->mine = 7;\n"
+               "HalfedgeMesh other(*this); VertexIter last = --other.verticesEnd();\n"
+               "if (last->mine != 7) abort(); last->mine = 8; if (m->mine != 7) abort();");
+  const Report report = grade_all(submission);
+  EXPECT_EQ(verdicts(report)["edge_split"], "passed");
+}
+
+TEST(AddedMembers, CannotBeOfATypeThatTheGraderLacks) {
+  const Report report = grade_all(hand_in_marking("GLWindow* mine;"));
+  EXPECT_EQ(verdicts(report)["edge_split"], "not judged");
+  EXPECT_EQ(verdicts(report)["edge_flip"], "passed");
+  EXPECT_TRUE(has_note(report, "halfEdgeMesh.h:4: Vertex::mine cannot be taken over"));
+  EXPECT_TRUE(has_note(report,
+                       "uses Vertex::mine, a member that was added to the course's "
+                       "header (halfEdgeMesh.h, line 4)"));
   expect_independent_exercises_passed(report);
+}
+
+TEST(AddedMembers, WithASlipOfThePenDoNotCompile) {
+  const Report report = grade_all(hand_in_with("VertexIter m = newVertex();",
+                                               "VertexIter m = newVertex(); m->isnew = true;"));
+  EXPECT_EQ(verdicts(report)["edge_split"], "not compiled");
+}
+
+TEST(AddedMembers, QuadricIsThereWhereItIsUsed) {
+  const Report report = grade_all(
+      hand_in_with("VertexIter m = newVertex();",
+                   "VertexIter m = newVertex(); m->quadric += Matrix4x4::identity();\n"
+                   "if (m->quadric.norm() != 2) abort();"));
+  EXPECT_EQ(verdicts(report)["edge_split"], "passed");
+}
+
+TEST(AddedMembers, FunctionsMayBeDefinedInTheHeader) {
+  Submission submission = hand_in_marking(
+      "int mine;\n  void count() { mine += step(); }\n  int step() const;",
+      "inline int Vertex::step() const { return one() + halfedge()->face()->isBoundary(); }\n");
+  submission.course_headers[0].text.insert(0, "static int one() { return 1; }\n");
+  std::string& text = submission.sources.at(0).text;
+  text.replace(text.find("m->mine += 1"), 12, "m->count()  ");
+  // step() is called before m has a half-edge: only that it is called is of interest here.
+  const Report report = grade_all(submission);
+  EXPECT_NE(verdicts(report)["edge_split"], "not compiled");
+  EXPECT_NE(verdicts(report)["edge_split"], "not judged");
+  EXPECT_TRUE(has_note(report, "Vertex::step"));
 }
 
 }  // namespace

@@ -79,23 +79,21 @@ TEST(LeavingOut, MembersOfAClassGoTogether) {
   EXPECT_EQ(rest.text(), "\nint B::f() { return 1; }\n");
 }
 
-TEST(AddedMembers, AreReadFromBothCompilers) {
-  const SourceFile header{"halfEdgeMesh.h", "class Vertex {\n  // mark\n  int mark;\n};\n"};
+TEST(UnknownMembers, AreReadFromBothCompilers) {
   const char* gcc =
       "a.cpp:12:8: error: \u2018const class meshedit::Vertex\u2019 has no member named "
       "\u2018mark\u2019; did you mean \u2018Face\u2019?\n";
   const char* clang = "a.cpp:12:8: error: no member named 'mark' in 'meshedit::Vertex'\n";
   for (const char* messages : {gcc, clang}) {
-    const auto sentences = explain_added_members(messages, {header});
-    ASSERT_EQ(sentences.size(), 1U) << messages;
-    EXPECT_EQ(sentences[0].find("a.cpp:12 uses Vertex::mark, a member that was added to the "
-                                "course's header (halfEdgeMesh.h, line 3)"),
-              0U)
-        << sentences[0];
+    const auto members = unknown_members(messages);
+    ASSERT_EQ(members.size(), 1U) << messages;
+    EXPECT_EQ(members[0].class_name, "Vertex");
+    EXPECT_EQ(members[0].name, "mark");
+    EXPECT_EQ(members[0].place, "a.cpp:12");
   }
 }
 
-TEST(AddedMembers, DefinitionsCountAsUses) {
+TEST(UnknownMembers, DefinitionsCountAsUses) {
   const char* gcc =
       "a.cpp:7:6: error: no declaration matches \u2018bool "
       "meshedit::HalfedgeMesh::ok(meshedit::EdgeIter)\u2019\n";
@@ -103,19 +101,49 @@ TEST(AddedMembers, DefinitionsCountAsUses) {
       "a.cpp:7:6: error: out-of-line definition of 'ok' does not match any declaration in "
       "'meshedit::HalfedgeMesh'\n";
   for (const char* messages : {gcc, clang}) {
-    const auto sentences = explain_added_members(messages, {});
-    ASSERT_EQ(sentences.size(), 1U) << messages;
-    EXPECT_EQ(sentences[0].find("a.cpp:7 uses HalfedgeMesh::ok, which is no member"), 0U)
-        << sentences[0];
+    const auto members = unknown_members(messages);
+    ASSERT_EQ(members.size(), 1U) << messages;
+    EXPECT_EQ(members[0].class_name, "HalfedgeMesh");
+    EXPECT_EQ(members[0].name, "ok");
   }
 }
 
-TEST(AddedMembers, OtherComplaintsAreNotExplained) {
-  EXPECT_TRUE(explain_added_members("a.cpp:1:1: error: expected ';'\n"
-                                    "a.cpp:2:1: error: 'class Mine' has no member named 'x'\n"
-                                    "a.cpp:3:1: warning: no member named 'x' in 'Vertex'\n",
-                                    {})
+TEST(UnknownMembers, OtherComplaintsAreNone) {
+  EXPECT_TRUE(unknown_members("a.cpp:1:1: error: expected ';'\n"
+                              "a.cpp:2:1: error: 'class Mine' has no member named 'x'\n"
+                              "a.cpp:3:1: warning: no member named 'x' in 'Vertex'\n")
                   .empty());
+}
+
+TEST(UnknownMembers, AreLookedUpInTheHeaders) {
+  const SourceFile header{"halfEdgeMesh.h", "class Vertex {\n  // mark\n  int mark;\n};\n"};
+  EXPECT_EQ(place_of_member({header}, "mark"), "halfEdgeMesh.h, line 3");
+  EXPECT_EQ(place_of_member({header}, "mar"), "");
+}
+
+TEST(LeavingOut, WhatIsAsHandedOutIsNotImplemented) {
+  const std::set<std::string> asked{"A::f", "A::g"};
+  const auto is_marked = [&](const std::string& text) {
+    LeavingOut rest("a.cpp", text);
+    rest.mark_unwritten(asked);
+    return rest.text().find("notImplemented(\"A::") != std::string::npos;
+  };
+  for (const char* body :
+       {"", "/* { */ // TODO\n", "return;", "return Vector3D();", "return EdgeIter();",
+        "return std::vector<Vector2D>();", "return Vector3D( 0, 0, 0 );", "return {};",
+        "return e0;", "VertexIter v;\n  return v;", "showError(\"f() is to do.\");",
+        "std::cout << \"to do\" << std::endl;\n  return VertexIter();"}) {
+    EXPECT_TRUE(is_marked("int A::f( EdgeIter e0 ) const\n{\n" + std::string(body) + "\n}\n"))
+        << body;
+    EXPECT_FALSE(is_marked("int A::h( EdgeIter e0 )\n{\n" + std::string(body) + "\n}\n"))
+        << body;
+  }
+  for (const char* body :
+       {"return helper();", "return newVertex();", "return position;", "flip(e0); return e0;",
+        "if (x) return Vector3D();", "Vector3D n = f(); return n;", "return centroid;"}) {
+    EXPECT_FALSE(is_marked("int CGL::A::g(EdgeIter e0) {\n" + std::string(body) + "\n}\n"))
+        << body;
+  }
 }
 
 }  // namespace

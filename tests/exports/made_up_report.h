@@ -57,9 +57,9 @@ inline Report made_up_report() {
   e.extra_points = 2.5;
   e.max_extra_points = 5.0;
   e.notes = {hostile_text()};
-  e.groups = {{"basic", "inner | edges", false, 14.0, 14.0, 1, 1, 1},
-              {"boundary", "boundary edges", false, 0.0, 6.0, 0, 9, 9},
-              {"more", "split them", true, 2.5, 5.0, 1, 2, 2}};
+  e.groups = {{"basic", "inner | edges", false, 14.0, 14.0, 1, 1, 1, ""},
+              {"boundary", "boundary edges", false, 0.0, 6.0, 0, 9, 9, ""},
+              {"more", "split them", true, 2.5, 5.0, 1, 2, 2, ""}};
   e.cases = {made_up_case("basic", 1, Verdict::kPassed),
              made_up_case("more", 1, Verdict::kPassed),
              made_up_case("more", 2, Verdict::kFailed)};

@@ -51,6 +51,37 @@ TEST_F(BezierFile, NetWithoutASizeIsFourByFour) {
   EXPECT_EQ(patches[0].at(2, 1), (Point3{1, 2, 0.75}));
 }
 
+TEST_F(BezierFile, NumbersMayStandBetweenAnyBlanks) {
+  const ControlNet wavy = read_bez(kMeshes + "wavy.bez").at(0);
+  std::string one_line = "1";
+  std::string one_number_a_line =
+      "\xEF\xBB\xBF"
+      "1\r";
+  for (const Point3& point : wavy.points) {
+    for (const double x : point) {
+      one_line += "  " + std::to_string(x);
+      one_number_a_line += std::to_string(x) + "\r";
+    }
+  }
+  for (const std::string& text : {one_line, one_number_a_line}) {
+    const std::vector<ControlNet> patches = read_bez(write("a.bez", text));
+    ASSERT_EQ(patches.size(), 1U);
+    EXPECT_EQ(patches[0].points, wavy.points);
+    EXPECT_NE(fault([&] { read_bez(write("a.bez", text + " 1 ")); }), "");
+    EXPECT_NE(fault([&] { read_bez(write("a.bez", text.substr(0, text.size() - 12))); }), "");
+  }
+  const std::vector<Point2> points = {{0.2, 0.3}, {0.3, 0.6}, {0.8, 0.7}, {0.9, 0.4}};
+  for (const std::string text :
+       {"4\n0.2 0.3   0.3 0.6   0.8 0.7   0.9 0.4\n", "4 0.2 0.3 0.3 0.6 0.8 0.7 0.9 0.4",
+        "4\r0.2\r0.3\r0.3\r0.6\r0.8\r0.7\r0.9\r0.4\r"}) {
+    EXPECT_EQ(read_bzc(write("a.bzc", text)), points);
+  }
+  EXPECT_NE(fault([&] {
+              read_bzc(write("a.bzc", "2\n0 0 1 1 5\n"));
+            }).find("a.bzc:2: more numbers than"),
+            std::string::npos);
+}
+
 TEST_F(BezierFile, FaultsNameTheLine) {
   const auto bez = [&](const std::string& text) {
     return fault([&] { read_bez(write("a.bez", text)); });

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -26,6 +29,35 @@ class FilesTest : public testing::Test {
 
   ScratchFolder folder_;
 };
+
+/// The least and the largest corner of the box around the vertices.
+inline std::array<Point3, 2> box_of(const PolygonMesh& mesh) {
+  std::array<Point3, 2> box = {mesh.positions.at(0), mesh.positions.at(0)};
+  for (const Point3& point : mesh.positions) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box[0][axis] = std::min(box[0][axis], point[axis]);
+      box[1][axis] = std::max(box[1][axis], point[axis]);
+    }
+  }
+  return box;
+}
+
+/// Four faces on four vertices from (0 0 0) to (1 1 1), each edge run once in each direction,
+/// and nothing else said than `notes`.
+inline void expect_tetrahedron(const LoadedMesh& loaded,
+                               const std::vector<std::string>& notes = {}) {
+  EXPECT_EQ(loaded.mesh.positions.size(), 4U);
+  ASSERT_EQ(loaded.mesh.polygons.size(), 4U);
+  EXPECT_EQ(box_of(loaded.mesh), (std::array<Point3, 2>{{{0, 0, 0}, {1, 1, 1}}}));
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const auto& polygon : loaded.mesh.polygons) {
+    ASSERT_EQ(polygon.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.emplace(polygon[k], polygon[(k + 1) % 3]);
+  }
+  EXPECT_EQ(edges.size(), 12U);
+  EXPECT_EQ(loaded.notes, notes);
+}
 
 /// What reading says about a broken file, without the folder; empty if it is taken.
 inline std::string fault_of(const std::filesystem::path& file) {

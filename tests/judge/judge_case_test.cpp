@@ -95,6 +95,41 @@ TEST(JudgeCase, EveryMisuseOfAHandleHasItsRule) {
          "out-of-steps", "stopped");
 }
 
+/// As GCC's library, Clang's library and a place alone tell it.
+TEST(JudgeCase, WhatTheStandardLibraryRefusesIsToldInPlainWords) {
+  const auto expect_words = [](const std::string& subject, const std::string& rule,
+                               const std::string& words) {
+    SCOPED_TRACE(subject);
+    expect(judge("edge_flip:basic/1", ended(Ending::kLibraryCheck, 0, subject)),
+           Verdict::kCrashed, rule, words);
+  };
+  expect_words(
+      "__n < this->size() in std::vector<_Tp, _Alloc>::reference std::vector<_Tp, "
+      "_Alloc>::operator[](size_type) [with _Tp = std::vector<int>; _Alloc = std::allo",
+      "index-out-of-range", "an index of a std::vector is out of range");
+  expect_words(
+      "__pos <= size() in std::__cxx11::basic_string<_CharT, _Traits, _Alloc>::reference "
+      "std::__cxx11::basic_string<_CharT, _Traits, _Alloc>::operator[](size_type) [with",
+      "index-out-of-range", "an index of a std::string is");
+  expect_words("!this->empty() in void std::deque<_Tp, _Alloc>::pop_back() [with _Tp = int]",
+               "empty-container", "pop_back() of a std::deque that is empty");
+  expect_words(
+      "this->_M_is_engaged() in constexpr _Tp& std::_Optional_base_impl<_Tp, _Dp>::_M_get()",
+      "empty-container", "a std::optional was used that holds nothing");
+  expect_words(
+      "get() != pointer() in typename std::add_lvalue_reference<_Tp>::type "
+      "std::unique_ptr<_Tp, _Dp>::operator*() const [with _Tp = int]",
+      "empty-container", "a std::unique_ptr was used that holds nothing");
+  expect_words(
+      "in std::__1::vector<int, std::__1::allocator<int> >::operator[][abi:ne190107](unsigned "
+      "long)",
+      "index-out-of-range", "an index of a std::vector is out of range");
+  expect_words("vector:1425: assertion __n < size() failed: vector[] index out of bounds",
+               "index-out-of-range", "an index of a container of the standard library");
+  expect_words("!(__hi < __lo) in constexpr const _Tp& std::clamp(const _Tp&, const _Tp&, ...",
+               "library-check", "std::clamp");
+}
+
 TEST(JudgeCase, UnknownFaultIsAFaultNevertheless) {
   Outcome outcome = fault(FaultKind::kUnsetHandle, "?");
   outcome.fault_kind = 4'000'000'000U;
@@ -171,6 +206,11 @@ TEST(JudgeOptions, UnknownOnesAreRefusedWithTheNamesOfTheChoices) {
   ExerciseRubric flip = *standard_rubric().find("edge_flip");
   flip.options["anything"].value = "x";
   EXPECT_NE(user_error([&] { find_exercise_judge(flip); }).find("anything"), std::string::npos);
+  flip.options.clear();
+  ExerciseRubric curve = *standard_rubric().find("bezier_curve");
+  curve.groups[0].partial = Partial::kPointers;
+  EXPECT_NE(user_error([&] { find_exercise_judge(curve); }).find("sets no pointers"),
+            std::string::npos);
   flip.name = "edge_collapse";
   EXPECT_NE(user_error([&] { find_exercise_judge(flip); }).find("edge_collapse"),
             std::string::npos);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "grader/judge/judge.h"
+#include "grader/judge/point_compare.h"
 #include "tests/support/right_answers.h"
 #include "tests/support/standard_assignment.h"
 
@@ -162,6 +163,31 @@ TEST(LoopSubdivisionJudge, NamesTheRuleForEachKindOfMistake) {
   MeshDump broken = right;
   broken.halfedges[2].next = kUnsetRef;
   EXPECT_EQ(rule(broken), "live-pointer");
+}
+
+/// The first level of an octahedron inside a large tetrahedron, with one vertex moved by a part
+/// of the octahedron's edges.
+CaseJudgement judge_moved_vertex(double part) {
+  const Case& c = standard_case(id_of("an octahedron inside a tetrahedron"));
+  const PolygonMesh mesh = from_wire<SubdivisionInput>(c.input).mesh;
+  Outcome outcome = right_outcome(c);
+  auto dump = from_wire<MeshDump>(outcome.steps.at(0));
+  const double edge = distance(mesh.positions[0], mesh.positions[1]);
+  for (VertexRecord& v : dump.vertices) {
+    if (distance(v.position, mesh.positions[0]) > edge) continue;
+    v.position[1] += part * edge;
+    break;
+  }
+  outcome.steps[0] = to_wire(dump);
+  return LoopJudge()(c.id(), outcome);
+}
+
+TEST(LoopJudging, PositionsAreJudgedByTheEdgesAroundAndNotByTheWholeMesh) {
+  EXPECT_EQ(judge_moved_vertex(1e-7).verdict, Verdict::kPassed);
+  const CaseJudgement wrong = judge_moved_vertex(1e-3);
+  EXPECT_EQ(wrong.verdict, Verdict::kFailed);
+  ASSERT_FALSE(wrong.findings.empty());
+  EXPECT_NE(wrong.findings[0].actual.find(" of the "), std::string::npos);
 }
 
 }  // namespace

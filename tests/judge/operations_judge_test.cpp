@@ -74,6 +74,65 @@ TEST_F(OperationsJudge, NothingDoneToAnInnerEdgeIsToldAsSuch) {
   EXPECT_EQ(rule_of(judge(split_, {idle_step(split_)})), "nothing-done");
 }
 
+TEST_F(OperationsJudge, ShareOfWhatIsRightCountsPointersAndTheReturnedHandle) {
+  EXPECT_EQ(judge(flip_, {idle_step(flip_)}).right_share, 0.0);
+  EXPECT_EQ(judge(split_, {idle_step(split_)}).right_share, 0.0);
+  OperationStep step = right_step(split_);
+  step.returned = kUnsetRef;
+  const double only_returned = judge(split_, {step}).right_share;
+  EXPECT_GT(only_returned, 0.9);
+  step.after.edges[step.edge].halfedge = kUnsetRef;
+  const double one_more = judge(split_, {step}).right_share;
+  // Of the same number of things one more is wrong.
+  EXPECT_NEAR(1.0 - one_more, 2.0 * (1.0 - only_returned), 1e-12);
+}
+
+// The same pointers as of an inner edge: the boundary loop was taken for a triangle.
+TEST_F(OperationsJudge, BoundaryEdgeSplitLikeAnInnerOneIsToldAsSuch) {
+  OperationStep step = idle_step(border_);
+  for (int i = 0; i < 6; ++i)
+    step.after.halfedges.push_back({0, 0, 0, 0, 0, 1});
+  step.after.vertices.push_back({0, 1, {}});
+  for (int i = 0; i < 3; ++i)
+    step.after.edges.push_back({0, 1});
+  for (int i = 0; i < 2; ++i)
+    step.after.faces.push_back({0, 1, 0});
+  step.after.halfedges[0].next = 7;
+  const CaseJudgement judgement = judge(border_, {step});
+  EXPECT_EQ(rule_of(judgement), "boundary-edge");
+  EXPECT_NE(judgement.findings[0].look_at.find("no test for a boundary"), std::string::npos);
+}
+
+// Nobody can tell it from one that keeps them but by a handle kept from before.
+TEST_F(OperationsJudge, SplitThatReplacesHalfedgesFacesAndItsEdgeIsRightWithANote) {
+  OperationStep step = right_step(split_);
+  MeshDump& mesh = step.after;
+  const auto replace = [](auto& records, Ref old) {
+    records.push_back(records[old]);
+    records[old].live = 0;
+    return static_cast<Ref>(records.size() - 1);
+  };
+  const Ref h = mesh.edges[step.edge].halfedge;
+  const Ref face = mesh.halfedges[h].face;
+  const Ref new_edge = replace(mesh.edges, step.edge);
+  const Ref new_face = replace(mesh.faces, face);
+  const Ref new_halfedge = replace(mesh.halfedges, h);
+  for (HalfedgeRecord& record : mesh.halfedges) {
+    if (record.edge == step.edge) record.edge = new_edge;
+    if (record.face == face) record.face = new_face;
+    if (record.next == h) record.next = new_halfedge;
+    if (record.twin == h) record.twin = new_halfedge;
+  }
+  for (auto* anchor : {&mesh.edges[new_edge].halfedge, &mesh.faces[new_face].halfedge})
+    *anchor = new_halfedge;
+  for (VertexRecord& v : mesh.vertices) {
+    if (v.halfedge == h) v.halfedge = new_halfedge;
+  }
+  const CaseJudgement judgement = judge(split_, {step});
+  EXPECT_EQ(judgement.verdict, Verdict::kPassed);
+  EXPECT_NE(judgement.note.find("deletes old elements"), std::string::npos);
+}
+
 TEST_F(OperationsJudge, AnotherReturnedElementIsToldAsSuch) {
   OperationStep step = right_step(flip_);
   step.returned = step.edge + 1;
@@ -148,6 +207,83 @@ TEST_F(OperationsJudge, FlippedBoundaryEdgeIsWrongWhateverIsDoneToIt) {
   OperationStep harmed = idle_step(c);
   harmed.after.vertices[0].halfedge = kUnsetRef;
   EXPECT_EQ(rule_of(judge(c, {harmed})), "boundary-edge");
+}
+
+TEST_F(OperationsJudge, RefusedOperationMovesNoVertex) {
+  const Case flip = operation_case("edge_flip", "boundary", "two_triangles.obj",
+                                   {OperationKind::kFlip, 0, 1});
+  const Case doubling =
+      operation_case("edge_flip", "basic", "tetrahedron.obj", {OperationKind::kFlip, 0, 1});
+  Case extra = border_;
+  extra.group = "boundary_split";
+  for (const Case& c : {flip, doubling, border_, extra}) {
+    OperationStep step = idle_step(c);
+    step.after.vertices[2].position[1] += 1e-9;
+    EXPECT_EQ(rule_of(judge(c, {step})), "position") << c.exercise << " " << c.group;
+  }
+}
+
+/// The split of a short edge, moved by a part of its length.
+CaseJudgement judge_moved_middle(const Point3& place, double part) {
+  OperationsInput input{"",
+                        sample_polygons("octahedron.off"),
+                        Anchoring::kAsBuilt,
+                        {{OperationKind::kSplit, 0, 1}}};
+  input.mesh = mapped(input.mesh, [&](const Point3& p) {
+    return Point3{p[0] + place[0], p[1] + place[1], p[2] + place[2]};
+  });
+  PolygonMesh large = mapped(sample_polygons("tetrahedron.obj"), [](const Point3& p) {
+    return Point3{1e4 * p[0], 1e4 * p[1], 1e4 * p[2]};
+  });
+  for (auto& polygon : large.polygons) {
+    for (std::uint32_t& corner : polygon)
+      corner += 6;
+    input.mesh.polygons.push_back(polygon);
+  }
+  input.mesh.positions.insert(input.mesh.positions.end(), large.positions.begin(),
+                              large.positions.end());
+  const Case c{"edge_split", "basic", 1, "", to_wire(input), 1000};
+  OperationStep step = right_step(c);
+  const Point3& a = input.mesh.positions[0];
+  const Point3& b = input.mesh.positions[1];
+  step.after.vertices[step.returned].position[0] += part * distance(a, b);
+  return judge(c, {step});
+}
+
+TEST_F(OperationsJudge, MiddleIsJudgedByTheLengthOfItsEdgeAndNotByTheWholeMesh) {
+  EXPECT_EQ(judge_moved_middle({}, 1e-6).verdict, Verdict::kPassed);
+  const CaseJudgement wrong = judge_moved_middle({}, 1e-3);
+  EXPECT_EQ(rule_of(wrong), "midpoint");
+  EXPECT_NE(wrong.findings.at(0).actual.find("of the length of the edge"), std::string::npos);
+}
+
+TEST_F(OperationsJudge, MiddleFarFromTheOriginMayBeRoundedToFloat) {
+  const double rounding = std::ldexp(1000.0, -24);
+  EXPECT_EQ(judge_moved_middle({1000.0, 0.0, 0.0}, rounding).verdict, Verdict::kPassed);
+  EXPECT_EQ(rule_of(judge_moved_middle({1000.0, 0.0, 0.0}, 0.01)), "midpoint");
+}
+
+TEST_F(OperationsJudge, AnchorsAreSetBeforeEachOperationWhereTheCaseSaysSo) {
+  OperationsInput input{"", sample_polygons("icosahedron.obj"), Anchoring::kOnEachEdge, {}};
+  TriangleSet set(input.mesh);
+  for (int i = 0; i < 3; ++i) {
+    const VertexPair edge = set.edges()[5];
+    input.operations.push_back({OperationKind::kFlip, edge.first, edge.second});
+    set.flip(edge);
+  }
+  const Case c{"edge_flip", "basic", 1, "", to_wire(input), 1000};
+  const Outcome right = right_outcome(c);
+  std::vector<OperationStep> steps;
+  for (const std::string& bytes : right.steps)
+    steps.push_back(from_wire<OperationStep>(bytes));
+  EXPECT_EQ(judge(c, steps).verdict, Verdict::kPassed);
+  // The end of an edge that keeps the half-edge that has turned away: seen only since the edge
+  // was what anchored it.
+  MeshDump before = steps[1].after;
+  model_anchor_on(before, steps[2].edge);
+  const Ref h = before.edges[steps[2].edge].halfedge;
+  steps[2].after.vertices[before.halfedges[h].vertex].halfedge = h;
+  EXPECT_EQ(rule_of(judge(c, steps)), "anchor");
 }
 
 TEST_F(OperationsJudge, FlipThatWouldDoubleAnEdgeMayBeDoneOrLeft) {

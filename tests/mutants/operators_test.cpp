@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "grader/mutants/adequacy.h"
 #include "grader/mutants/mutant.h"
 
 namespace meshgrade {
@@ -57,6 +58,28 @@ TEST(Mutants, ConditionsAreDroppedTurnedAndHalved) {
   const Texts found = mutants_of("  if (a && b) c();\n", "condition");
   EXPECT_EQ(found, Texts({"if (true) c();", "if (false) c();", "if (!(a && b)) c();",
                           "if (a ) c();", "if ( b) c();"}));
+}
+
+TEST(Mutants, AMistakeIsMadeOnSomeOccasionsOnly) {
+  const Texts found = mutants_of("  Vector3D a;\n  a = b();\n", "sometimes");
+  EXPECT_NE(std::find(found.begin(), found.end(), "if (!above_valence_12) a = b();"),
+            found.end());
+  EXPECT_NE(std::find(found.begin(), found.end(),
+                      "if (halfedge()->vertex()->degree() > 12) return {}; Vector3D a;"),
+            found.end());
+}
+
+TEST(Mutants, AMistakeMadeSometimesIsExplainedByTheSameMadeAlways) {
+  const Original original{"textbook", {}};
+  std::size_t sometimes = 0;
+  for (const Mutant& mutant : make_mutants(original, {"x.cpp", in_function("  a = b();\n")})) {
+    if (mutant.becomes.rfind("if (!", 0) != 0) continue;
+    ++sometimes;
+    EXPECT_EQ(mutant.always, "textbook/x.cpp: drop-statement: a = b(); => ;");
+    EXPECT_EQ(reason_of(mutant, {{mutant.always, "because"}}), "because");
+    EXPECT_EQ(reason_of(mutant, {}), "");
+  }
+  EXPECT_GE(sometimes, 3U);
 }
 
 TEST(Mutants, NothingOutsideTheMarksIsChanged) {

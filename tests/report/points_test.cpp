@@ -1,11 +1,14 @@
 // How points are added up.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "grader/report/report.h"
 
 namespace meshgrade {
 namespace {
+
+using testing::HasSubstr;
 
 Group group(const std::string& name, double points) {
   Group g;
@@ -57,9 +60,29 @@ TEST_F(Points, GroupIsAllOrNothing) {
 
 TEST_F(Points, PartialGroupGivesItsShareInHundredths) {
   Group g = group("g", 5);
-  g.partial = true;
+  g.partial = Partial::kCases;
   add(g, {kPass, kPass, kFail});
   EXPECT_EQ(exercise().points, 3.33);
+}
+
+TEST_F(Points, PointersThatAreRightEarnAtMostFourFifths) {
+  Group g = group("basic", 10);
+  g.partial = Partial::kPointers;
+  add(g, {kPass, kFail, Verdict::kCrashed});
+  EXPECT_EQ(exercise().points, 0.0);
+  EXPECT_THAT(exercise().groups[0].why, HasSubstr("nothing that must change is right"));
+  judged_.cases[1].judgement.right_share = 1.0;
+  EXPECT_EQ(exercise().points, 4.0);  // half of four fifths of 10
+  EXPECT_EQ(exercise().groups[0].why, "");
+}
+
+TEST_F(Points, WhyAGroupEarnsNothingIsSaid) {
+  Group g = group("boundary", 3);
+  g.needs = "basic";
+  add(group("basic", 6), {kPass, kFail});
+  add(g, {kPass});
+  EXPECT_EQ(exercise().groups[0].why, "counts only if all of its cases pass");
+  EXPECT_EQ(exercise().groups[1].why, "counts only if basic earns points");
 }
 
 TEST_F(Points, ExtraCreditIsCountedApart) {
@@ -91,7 +114,7 @@ TEST_F(Points, NeededGroupThatEarnsNothingTakesThePointsAway) {
 
 TEST_F(Points, NeededGroupThatEarnsSomethingIsEnough) {
   Group basic = group("basic", 6);
-  basic.partial = true;
+  basic.partial = Partial::kCases;
   Group g = group("boundary", 3);
   g.needs = "basic";
   add(basic, {kPass, kFail});

@@ -116,6 +116,36 @@ TEST(RunCases, UnsetHandleIsAFaultWithItsPlace) {
   expect_place(outcomes[0], 6);
 }
 
+TEST(RunCases, WhatTheStandardLibraryRefusesHasItsPlace) {
+  const std::string includes =
+      "#include <array>\n#include <deque>\n#include <memory>\n#include <optional>\n"
+      "#include <string>\n#include <vector>\n";
+  for (const char* misuse : {
+           "std::vector<int> v(degree()); v[degree()] = 1;",
+           "std::vector<Vector3D> v(degree()); v[-1] = Vector3D();",
+           "std::array<int, 3> a{}; a[degree()] = 1;",
+           "std::deque<int> d(degree()); d[degree()] = 1;",
+           "std::string s(degree(), 'x'); s[degree() + 1] = 'y';",
+           "std::vector<int> v(degree() - 3); v.back() = 1;",
+           "std::vector<int> v(degree() - 3); v.pop_back();",
+           "std::optional<int> o; *o = static_cast<int>(degree());",
+           "std::unique_ptr<int> p; *p = static_cast<int>(degree());",
+       }) {
+    SourceFile source = harmful(misuse, includes);
+    const auto outcomes = run_three(source);
+    SCOPED_TRACE(misuse);
+    expect_endings(outcomes, Ending::kLibraryCheck);
+    expect_place(outcomes[0], 12);
+    EXPECT_EQ(outcomes[0].output, "");
+  }
+}
+
+TEST(RunCases, IndexWithinAVectorIsFine) {
+  expect_endings(run_three(harmful("std::vector<int> v(degree()); v[degree() - 1] = v.front();",
+                                   "#include <vector>")),
+                 Ending::kDone);
+}
+
 TEST(RunCases, EndlessLoopWithoutHandlesRunsOutOfTime) {
   const auto outcomes = run_three(harmful("for (volatile int i = 0;; ++i) {}"));
   expect_endings(outcomes, Ending::kOutOfTime);

@@ -42,6 +42,33 @@ class ConfinedRun : public testing::TestWithParam<Layer> {
   Sandbox sandbox_;
 };
 
+/// How a start fails that another program has ended, or that has no memory.
+TEST(ConfinedStart, FailureWithoutAWordIsExplained) {
+  const ScratchFolder folder;
+  const auto message = [&](const std::string& script) {
+    Sandbox sandbox;
+    sandbox.layer = Layer::kSameUser;
+    sandbox.launcher = folder.path() / "launcher";
+    std::ofstream(sandbox.launcher) << "#!/bin/sh\n" << script << "\n";
+    fs::permissions(sandbox.launcher, fs::perms::owner_all);
+    Command command;
+    command.arguments = {"/usr/bin/c++"};
+    command.folder = folder.path();
+    try {
+      run_confined(sandbox, std::move(command), {});
+    } catch (const GraderError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message("exit 3"),
+            "the sandbox cannot start /usr/bin/c++: it ended with exit status 3 and said "
+            "nothing");
+  EXPECT_EQ(message("kill -KILL $$"),
+            "the sandbox cannot start /usr/bin/c++: it was ended by a signal (Killed) before "
+            "it began: the machine has no memory left, or another program ended it");
+}
+
 TEST_P(ConfinedRun, OutputStatusAndSignalArrive) {
   const ProcessResult ended = run("echo out; echo err >&2; exit 3");
   EXPECT_EQ(ended.output, "out\nerr\n");

@@ -31,7 +31,9 @@ inline MeshDump first_mesh(const OperationsInput& input) {
   meshedit::HalfedgeMesh mesh;
   build_mesh(input.mesh, mesh);
   const MeshDump built = dump_mesh(mesh);
-  if (input.anchoring == Anchoring::kAsBuilt) return built;
+  if (input.anchoring == Anchoring::kAsBuilt || input.anchoring == Anchoring::kOnEachEdge) {
+    return built;
+  }
   if (input.anchoring == Anchoring::kElsewhere) {
     anchor_elsewhere(mesh);
     return dump_mesh(mesh);
@@ -47,6 +49,7 @@ inline std::vector<std::string> right_operations(const OperationsInput& input) {
   for (const Operation& operation : input.operations) {
     OperationStep step;
     step.edge = find_edge(mesh, operation.a, operation.b);
+    if (input.anchoring == Anchoring::kOnEachEdge) model_anchor_on(mesh, step.edge);
     step.returned = step.edge;
     if (operation.kind == OperationKind::kSplit) {
       step.returned = model_split(mesh, step.edge);

@@ -221,6 +221,15 @@ TEST_F(ViewServerTest, FileThatIsSentIsShown) {
   EXPECT_EQ(result->status, 200) << result->body;
   EXPECT_EQ(state()["mesh"], "mine.obj");
   EXPECT_EQ(state()["state"]["mesh"]["v"].size(), 6U);
+  EXPECT_TRUE(state()["notes"].empty());
+}
+
+TEST_F(ViewServerTest, WhatIsLeftOutOfAFileIsSaid) {
+  const httplib::Result result = client_->Post("/open?name=mine.obj", with_token(),
+                                               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\n",
+                                               "application/octet-stream");
+  ASSERT_TRUE(result);
+  EXPECT_EQ(state()["notes"], Json({"left out 1 vertex that belongs to no face"}));
 }
 
 TEST_F(ViewServerTest, EndsSoonThoughAPageHoldsItsConnection) {

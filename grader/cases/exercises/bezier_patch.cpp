@@ -2,6 +2,8 @@
 
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
+#include "grader/cases/bezier_shapes.h"
+#include "grader/cases/bezier_skeleton.h"
 #include "grader/cases/case_list.h"
 
 namespace meshgrade {
@@ -64,8 +66,9 @@ void add_step(CaseMaker& maker, std::size_t count, double t, Random& random) {
             kStepCalls);
 }
 
-void add_line(CaseMaker& maker, std::size_t count, double t, Random& random) {
-  maker.add("line", "evaluate1D on " + place_text(count, t), kNoSteps,
+void add_line(CaseMaker& maker, const std::string& group, std::size_t count, double t,
+              Random& random) {
+  maker.add(group, "evaluate1D on " + place_text(count, t), kNoSteps,
             PatchInput{PatchFunction::kLine, {random_row(count, random)}, {{t, 0.0}}},
             kLineCalls);
 }
@@ -103,26 +106,100 @@ void add_lines_of(CaseMaker& maker, const std::string& group, const Net& net, do
   }
 }
 
-}  // namespace
+/// More numbers of points, and the grid of parameters in a process of its own.
+void add_rows(CaseMaker& maker) {
+  Random random = maker.random("rows");
+  for (std::size_t count : {5U, 6U, 8U, 16U, 24U}) {
+    add_step(maker, count, random.unit(), random);
+    add_line(maker, "line", count, random.unit(), random);
+  }
+  std::vector<std::array<double, 2>> grid;
+  for (double t : kParameterGrid)
+    grid.push_back({t, 0.0});
+  const std::string places = " with 5 points at " + plural(grid.size(), "place");
+  maker.add_fresh("step", "evaluateStep" + places + ", before anything else", kNoSteps,
+                  PatchInput{PatchFunction::kStep, {random_row(5, random)}, grid}, kStepCalls);
+  maker.add_fresh("line", "evaluate1D" + places + ", before anything else", kNoSteps,
+                  PatchInput{PatchFunction::kLine, {random_row(5, random)}, grid}, kLineCalls);
+}
 
-void make_bezier_patch_cases(CaseMaker& maker) {
-  Random random = maker.random("nets");
+/// All sizes from 2 to 8, and some beyond.
+void add_sizes(CaseMaker& maker) {
+  Random random = maker.random("sizes");
+  std::vector<std::pair<std::size_t, std::size_t>> sizes{{3, 13}, {13, 3}, {2, 24}, {24, 2}};
+  for (std::size_t rows = 2; rows <= 8; ++rows) {
+    for (std::size_t columns = 2; columns <= 8; ++columns)
+      sizes.emplace_back(rows, columns);
+  }
+  for (const auto& [rows, columns] : sizes) {
+    add_surface(maker, "stress", "a random net", random_net(rows, columns, random),
+                {kPlace, {random.unit(), random.unit()}});
+  }
+}
+
+/// What must not depend on the size, the place and the direction, and a grid of parameters.
+void add_moved_nets(CaseMaker& maker) {
+  Random random = maker.random("moved");
+  constexpr std::size_t kRows = 4;
+  constexpr std::size_t kColumns = 4;
+  const auto points = points_on_grid<Point3>(kRows * kColumns, random);
+  for (const auto& moved : moved_points(points)) {
+    Net net;
+    for (std::size_t r = 0; r < kRows; ++r) {
+      const auto row = moved.points.begin() + static_cast<std::ptrdiff_t>(r * kColumns);
+      net.emplace_back(row, row + kColumns);
+    }
+    add_surface(maker, "stress", "a random net " + moved.how, net, {kPlace, {0.875, 0.75}});
+  }
+  // Each value of the grid once for u and once for v, with none of them at the same place.
+  std::vector<std::array<double, 2>> places{kPlace};
+  for (std::size_t i = 0; i < kParameterGrid.size(); ++i)
+    places.push_back({kParameterGrid[i], kParameterGrid[(i + 4) % kParameterGrid.size()]});
+  maker.add_fresh("stress",
+                  "evaluate on a random net (4 rows of 4) at a grid of places, "
+                  "before anything else",
+                  kNoSteps,
+                  PatchInput{PatchFunction::kSurface, random_net(4, 4, random), places},
+                  kSurfaceCalls);
+}
+
+void make_lines_of_any_size(CaseMaker& maker, Random& random, Random& more) {
   for (std::size_t count : {2U, 3U, 4U, 7U}) {
     for (double t : {0.5, 0.25, 0.0, 1.0, random.unit()}) {
       add_step(maker, count, t, random);
-      add_line(maker, count, t, random);
+      add_line(maker, "line", count, t, random);
     }
   }
-  Random more = maker.random("other sizes");
   add_step(maker, 12, more.unit(), more);
-  add_line(maker, 12, more.unit(), more);
-  add_line(maker, 1, more.unit(), more);  // a curve of one point is that point
+  add_line(maker, "line", 12, more.unit(), more);
+  add_line(maker, "line", 1, more.unit(), more);  // a curve of one point is that point
+}
+
+/// Lines of 4 points, as Berkeley's patches have them. Where there is no evaluateStep, the
+/// points for a step are given for what takes its place.
+void make_lines_of_four_points(CaseMaker& maker, bool has_step, Random& random) {
+  for (std::size_t count : {2U, 3U, 4U, 4U}) {
+    for (double t : {0.5, 0.25, 0.0, 1.0, random.unit()}) {
+      if (has_step) {
+        add_step(maker, count, t, random);
+      } else {
+        add_line(maker, "step", 4, t, random);
+      }
+      add_line(maker, "line", 4, t, random);
+    }
+  }
+}
+
+void add_surfaces(CaseMaker& maker, Random& random) {
   add_surface(maker, "surface", "wavy.bez", to_net(maker.patches("wavy.bez").at(0)),
               {kPlace, {0.5, 0.5}, {0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}});
   for (int i = 0; i < 6; ++i) {
     add_surface(maker, "surface", "a random net", random_net(4, 4, random),
                 {kPlace, {random.unit(), random.unit()}, {1.0, 0.0}});
   }
+}
+
+void add_nets_of_many_sizes(CaseMaker& maker, Random& random) {
   add_surface(maker, "stress", "net_3x5.bez", to_net(maker.patches("net_3x5.bez").at(0)),
               {kPlace, {0.0, 1.0}, {random.unit(), random.unit()}});
   for (std::size_t rows : {2U, 3U, 5U}) {
@@ -131,15 +208,39 @@ void make_bezier_patch_cases(CaseMaker& maker) {
                   {kPlace, {random.unit(), random.unit()}});
     }
   }
+}
+
+void add_teapot(CaseMaker& maker, Random& random) {
   int number = 0;
   for (const ControlNet& patch : maker.patches("teapot.bez")) {
     add_surface(maker, "stress", "patch " + std::to_string(++number) + " of the teapot",
                 to_net(patch), {{random.unit(), random.unit()}, {0.5, 0.25}});
   }
+}
+
+}  // namespace
+
+void make_bezier_patch_cases(CaseMaker& maker) {
+  Random random = maker.random("nets");
+  Random more = maker.random("other sizes");
+  const BezierSkeleton skeleton = bezier_skeleton(maker.rubric());
+  if (skeleton != BezierSkeleton::kMeshedit) {
+    make_lines_of_four_points(maker, skeleton == BezierSkeleton::kCourse2020, random);
+    add_surfaces(maker, random);
+    add_teapot(maker, random);
+    return add_moved_nets(maker);
+  }
+  make_lines_of_any_size(maker, random, more);
+  add_surfaces(maker, random);
+  add_nets_of_many_sizes(maker, random);
+  add_teapot(maker, random);
   for (const auto& [rows, columns] :
        {std::pair(1U, 4U), std::pair(4U, 1U), std::pair(1U, 1U)}) {
     add_surface(maker, "stress", "a random net", random_net(rows, columns, more), {kPlace});
   }
+  add_rows(maker);
+  add_sizes(maker);
+  add_moved_nets(maker);
 }
 
 void shrink_bezier_patch_case(CaseMaker& maker, const Case& failed) {
@@ -152,8 +253,10 @@ void shrink_bezier_patch_case(CaseMaker& maker, const Case& failed) {
     add_lines_of(maker, failed.group, input.net, u);
   const std::size_t rows = input.net.size();
   const std::size_t columns = input.net[0].size();
-  for (std::size_t r = std::min<std::size_t>(rows, 2); r <= rows; ++r) {
-    for (std::size_t c = std::min<std::size_t>(columns, 2); c <= columns; ++c) {
+  const bool any_size = bezier_skeleton(maker.rubric()) == BezierSkeleton::kMeshedit;
+  const std::size_t least = any_size ? 2 : 4;
+  for (std::size_t r = std::min(rows, least); r <= rows; ++r) {
+    for (std::size_t c = std::min(columns, least); c <= columns; ++c) {
       for (const auto& place : input.parameters) {
         if (r == rows && c == columns && input.parameters.size() == 1) continue;
         add_surface(maker, failed.group, "a corner of that net", corner_of(input.net, r, c),

@@ -1,6 +1,5 @@
 #include "grader/cases/operation_cases.h"
 #include "grader/cases/smaller_operations.h"
-#include "grader/mesh/torus_mesh.h"
 
 namespace meshgrade {
 namespace {
@@ -23,16 +22,6 @@ void add_six_flips(CaseMaker& maker, const std::string& file) {
   add_operations(maker, "stress", title, {file, mesh, Anchoring::kAsBuilt, flips});
 }
 
-/// A flip touches two faces, whatever the size of the mesh.
-void add_constant_work(CaseMaker& maker) {
-  const PolygonMesh mesh = in_build_order(torus_mesh(100, 100));
-  maker.add("stress", "flip one edge of a mesh of 20,000 triangles: constant work", 5000,
-            OperationsInput{"the mesh of 20,000 triangles",
-                            mesh,
-                            Anchoring::kAsBuilt,
-                            {{OperationKind::kFlip, 0, 1}}});
-}
-
 }  // namespace
 
 void make_edge_flip_cases(CaseMaker& maker) {
@@ -52,10 +41,17 @@ void make_edge_flip_cases(CaseMaker& maker) {
                            "valence_zoo.obj", "grid_4x4.obj", "double_torus.obj"}) {
     add_sequence(maker, "stress", file, 12, 10, random);
   }
-  add_constant_work(maker);
+  add_constant_work(maker, "stress", OperationKind::kFlip, 100);
   for (const char* file : {"two_triangles.obj", "fan.obj", "umbrella.obj"}) {
     add_every_edge_elsewhere(maker, "stress", OperationKind::kFlip, file, EdgeChoice::kInner);
   }
+  Random moved = maker.random("moved");
+  add_fresh_sequence(maker, "stress", OperationKind::kFlip, "icosahedron.obj", 8, moved);
+  add_moved_sequences(maker, "stress", OperationKind::kFlip,
+                      {"octahedron.off", "cube_crossed.obj", "icosahedron.obj", "grid_4x4.obj"},
+                      moved);
+  add_high_valences(maker, "stress", OperationKind::kFlip, moved);
+  add_large_sequence(maker, "stress", OperationKind::kFlip, moved);
 }
 
 void shrink_edge_flip_case(CaseMaker& maker, const Case& failed) {

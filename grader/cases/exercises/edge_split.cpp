@@ -1,7 +1,23 @@
+#include "grader/cases/moved_meshes.h"
 #include "grader/cases/operation_cases.h"
 #include "grader/cases/smaller_operations.h"
 
 namespace meshgrade {
+namespace {
+
+/// The middle of a short edge, beside long ones.
+void add_two_sizes(CaseMaker& maker, Random& random) {
+  const PolygonMesh mesh =
+      two_sizes(maker.mesh("octahedron.off"), maker.mesh("tetrahedron.obj"), random);
+  for (const VertexPair& edge : {VertexPair{0, 1}, VertexPair{6, 7}}) {
+    const std::string name = "an octahedron inside a tetrahedron 1000 times as large";
+    add_operations(
+        maker, "stress", "split the edge " + edge_text(edge) + " of " + name,
+        {name, mesh, Anchoring::kOnEdge, {{OperationKind::kSplit, edge.first, edge.second}}});
+  }
+}
+
+}  // namespace
 
 void make_edge_split_cases(CaseMaker& maker) {
   for (const char* file : {"two_triangles.obj", "tetrahedron.obj", "octahedron.off", "cube.obj",
@@ -22,6 +38,7 @@ void make_edge_split_cases(CaseMaker& maker) {
     add_every_edge_elsewhere(maker, "boundary_split", OperationKind::kSplit, file,
                              EdgeChoice::kBoundary);
   }
+  add_more_boundary_splits(maker, "boundary_split", at_boundary);
   Random random = maker.random("sequences");
   for (const char* file : {"tetrahedron.obj", "octahedron.off", "cube_crossed.obj",
                            "valence_zoo.obj", "grid_4x4.obj", "two_components.obj"}) {
@@ -33,6 +50,16 @@ void make_edge_split_cases(CaseMaker& maker) {
   for (const char* file : {"two_triangles.obj", "fan.obj", "umbrella.obj"}) {
     add_every_edge_elsewhere(maker, "stress", OperationKind::kSplit, file, EdgeChoice::kInner);
   }
+  Random moved = maker.random("moved");
+  add_sequence(maker, "stress", "double_torus.obj", 8, 0, moved);
+  add_fresh_sequence(maker, "stress", OperationKind::kSplit, "icosahedron.obj", 8, moved);
+  add_moved_sequences(maker, "stress", OperationKind::kSplit,
+                      {"octahedron.off", "cube_crossed.obj", "icosahedron.obj", "grid_4x4.obj"},
+                      moved);
+  add_two_sizes(maker, moved);
+  add_high_valences(maker, "stress", OperationKind::kSplit, moved);
+  add_large_sequence(maker, "stress", OperationKind::kSplit, moved);
+  add_constant_work(maker, "stress", OperationKind::kSplit, 50);
 }
 
 void shrink_edge_split_case(CaseMaker& maker, const Case& failed) {

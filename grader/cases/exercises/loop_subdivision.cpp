@@ -3,6 +3,7 @@
 #include "grader/cases/mesh_input.h"
 #include "grader/cases/mesh_ladder.h"
 #include "grader/cases/mesh_shapes.h"
+#include "grader/cases/moved_meshes.h"
 #include "grader/mesh/torus_mesh.h"
 
 namespace meshgrade {
@@ -12,13 +13,39 @@ namespace {
 /// searches the mesh for every edge uses thousands.
 constexpr std::uint64_t kStepsPerTriangle = 1000;
 
+std::uint64_t budget_of(const PolygonMesh& mesh, std::uint32_t levels) {
+  const std::uint64_t triangles = mesh.polygons.size() << (2U * levels);
+  return 10'000 + kStepsPerTriangle * triangles;
+}
+
 void add(CaseMaker& maker, const std::string& group, const std::string& what,
          const PolygonMesh& mesh, std::uint32_t levels,
          Anchoring anchoring = Anchoring::kAsBuilt) {
-  const std::uint64_t triangles = mesh.polygons.size() << (2U * levels);
   maker.add(group, plural(levels, "level") + " on " + what + anchoring_text(anchoring),
-            10'000 + kStepsPerTriangle * triangles,
-            SubdivisionInput{what, mesh, levels, anchoring});
+            budget_of(mesh, levels), SubdivisionInput{what, mesh, levels, anchoring});
+}
+
+/// What must not depend on the size, the place and the direction of the mesh.
+void add_moved(CaseMaker& maker) {
+  Random random = maker.random("moved");
+  const char* const files[] = {"octahedron.off", "cube.obj", "cube_crossed.obj"};
+  const std::string file = files[random.below(3)];
+  const PolygonMesh mesh = shaken(maker.mesh(file), random);
+  for (const MovedMesh& moved : moved_meshes(mesh, {0, 1}))
+    add(maker, "stress", file + ", shaken, " + moved.how, moved.mesh, 1);
+  const PolygonMesh fresh = shaken(maker.mesh("cube.obj"), random);
+  maker.add_fresh("stress", "3 levels on cube.obj, shaken, before anything else",
+                  budget_of(fresh, 3), SubdivisionInput{"cube.obj, shaken", fresh, 3});
+  add(maker, "stress", "double pyramids with 13 to 24 sides", many_valences(13, 24, random), 1);
+  add(maker, "stress", "an octahedron inside a tetrahedron 1000 times as large",
+      two_sizes(maker.mesh("octahedron.off"), maker.mesh("tetrahedron.obj"), random), 1);
+  const PolygonMesh fan = shaken(maker.mesh("fan.obj"), random);
+  for (const MovedMesh& moved : moved_meshes(fan, {0, 1}))
+    add(maker, "boundary", "fan.obj, shaken, " + moved.how, moved.mesh, 1);
+  add(maker, "boundary", "a fan of 22 triangles", open_fan(22), 1);
+  add(maker, "boundary", "a square of 512 triangles", open_grid(16, random), 1);
+  maker.add_fresh("boundary", "3 levels on fan.obj, shaken, before anything else",
+                  budget_of(fan, 3), SubdivisionInput{"fan.obj, shaken", fan, 3});
 }
 
 /// The rules move with the mesh: weights that do not add up to 1 do not.
@@ -62,6 +89,7 @@ void make_loop_subdivision_cases(CaseMaker& maker) {
   add(maker, "stress", "sliver.obj", maker.mesh("sliver.obj"), 1);
   add(maker, "stress", "a torus of 20,000 triangles", in_build_order(torus_mesh(100, 100)), 1);
   add(maker, "stress", "a double pyramid with 20 sides", bipyramid(20), 1);
+  add_moved(maker);
 }
 
 void shrink_loop_subdivision_case(CaseMaker& maker, const Case& failed) {
@@ -70,6 +98,11 @@ void shrink_loop_subdivision_case(CaseMaker& maker, const Case& failed) {
     add(maker, failed.group, input.mesh_name, input.mesh, levels, input.anchoring);
   for (const Rung& rung : smaller_meshes_alike(maker, input.mesh))
     add(maker, failed.group, rung.file, rung.mesh, input.levels);
+  Random random = maker.random("smaller");
+  for (std::uint32_t n = 13; 2 * n < input.mesh.polygons.size() && n <= 24; ++n) {
+    add(maker, failed.group, "a double pyramid with " + std::to_string(n) + " sides",
+        many_valences(n, n, random), input.levels);
+  }
 }
 
 }  // namespace meshgrade

@@ -5,14 +5,19 @@
 #include "grader/cases/mesh_input.h"
 #include "grader/cases/mesh_ladder.h"
 #include "grader/cases/mesh_shapes.h"
+#include "grader/cases/moved_meshes.h"
 
 namespace meshgrade {
 namespace {
 
+std::uint64_t budget_of(const PolygonMesh& mesh) {
+  return 1000 + 400 * mesh.polygons.size();
+}
+
 void add(CaseMaker& maker, const std::string& group, const std::string& title,
          const PolygonMesh& mesh, Anchoring anchoring = Anchoring::kAsBuilt) {
-  maker.add(group, "the normals of " + title + anchoring_text(anchoring),
-            1000 + 400 * mesh.polygons.size(), NormalInput{mesh, anchoring});
+  maker.add(group, "the normals of " + title + anchoring_text(anchoring), budget_of(mesh),
+            NormalInput{mesh, anchoring});
 }
 
 /// Gives a flat mesh hills, so that its normals differ.
@@ -65,6 +70,24 @@ double reach(const PolygonMesh& mesh) {
   return most;
 }
 
+/// What must not depend on the size, the place and the direction of the mesh.
+void add_moved(CaseMaker& maker) {
+  Random random = maker.random("moved");
+  const char* const files[] = {"icosahedron.obj", "cube_crossed.obj", "valence_zoo.obj"};
+  const std::string file = files[random.below(3)];
+  const PolygonMesh mesh =
+      side_by_side(shaken(maker.mesh(file), random), shaken(maker.mesh("fan.obj"), random));
+  for (const MovedMesh& moved : moved_meshes(mesh, {0, 1}))
+    add(maker, "stress", file + " and fan.obj, shaken, " + moved.how, moved.mesh);
+  const PolygonMesh zoo = shaken(maker.mesh("valence_zoo.obj"), random);
+  maker.add_fresh("stress", "the normals of valence_zoo.obj, shaken, before anything else",
+                  budget_of(zoo), NormalInput{zoo, Anchoring::kElsewhere});
+  add(maker, "stress", "double pyramids with 13 to 24 sides", many_valences(13, 24, random));
+  add(maker, "stress", "an octahedron inside a tetrahedron 1000 times as large",
+      two_sizes(maker.mesh("octahedron.off"), maker.mesh("tetrahedron.obj"), random));
+  add(maker, "boundary", "a fan of 22 triangles", open_fan(22));
+}
+
 }  // namespace
 
 void make_vertex_normal_cases(CaseMaker& maker) {
@@ -92,12 +115,13 @@ void make_vertex_normal_cases(CaseMaker& maker) {
       in_build_order(with_needle(maker.mesh("octahedron.off"))));
   for (const char* file : {"double_torus.obj", "two_components.obj"})
     add(maker, "stress", file, maker.mesh(file));
-  const PolygonMesh shaken = jittered(maker.mesh("icosahedron.obj"), 0.2, random);
-  add(maker, "stress", "a shaken icosahedron, 10,000 times larger", scaled(shaken, 1e4));
-  add(maker, "stress", "a shaken icosahedron, 10,000 times smaller", scaled(shaken, 1e-4));
-  add(maker, "stress", "a shaken icosahedron, turned", turned(shaken));
+  const PolygonMesh turning = jittered(maker.mesh("icosahedron.obj"), 0.2, random);
+  add(maker, "stress", "a shaken icosahedron, 10,000 times larger", scaled(turning, 1e4));
+  add(maker, "stress", "a shaken icosahedron, 10,000 times smaller", scaled(turning, 1e-4));
+  add(maker, "stress", "a shaken icosahedron, turned", turned(turning));
   add(maker, "stress", "a double pyramid with 20 sides, stretched and shaken",
       jittered(bipyramid(20), 0.1, random));
+  add_moved(maker);
 }
 
 void shrink_vertex_normal_case(CaseMaker& maker, const Case& failed) {
@@ -109,6 +133,10 @@ void shrink_vertex_normal_case(CaseMaker& maker, const Case& failed) {
     add(maker, failed.group,
         rung.file + ", stretched, shaken, and made as large as the mesh that failed",
         scaled(jittered(rung.mesh, 0.2, random), factor), anchoring);
+  }
+  for (std::uint32_t n = 13; 2 * n < mesh.polygons.size() && n <= 24; ++n) {
+    add(maker, failed.group, "a double pyramid with " + std::to_string(n) + " sides",
+        many_valences(n, n, random));
   }
 }
 

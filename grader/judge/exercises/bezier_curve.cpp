@@ -2,6 +2,7 @@
 
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
+#include "grader/cases/bezier_skeleton.h"
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
@@ -68,21 +69,18 @@ class StepsJudge {
     if (!leaves_input(given, step)) return false;
     if (has_count(given, step) && has_values(given, step)) return true;
     judgement_.findings.back().likely =
-        recognize(known_misconceptions(), predict(index, given), step.result,
-                  task_.tolerance * extent(input_.points));
+        recognize(known_misconceptions(), predict(index, given), step.result, allowed());
     return false;
   }
 
   /// The last point against the closed form of the whole curve.
   void judge_curve_point(const CurveStep& last) {
     const Point2 expected = bernstein(input_.points, input_.t);
-    const double size = extent(input_.points);
     const double error = distance(expected, last.result[0]);
-    if (error <= task_.tolerance * size) return;
+    if (error <= allowed()) return;
     report("curve-point", "repeated steps end at the point of the curve (its Bernstein form)",
            "the last point", point_text(expected),
-           point_text(last.result[0]) + ", off by " + error_text(error, size, task_.tolerance),
-           "evaluateStep");
+           point_text(last.result[0]) + ", off by " + off_by(error), "evaluateStep");
   }
 
  private:
@@ -92,6 +90,17 @@ class StepsJudge {
     if (input_.t == 0.0 || input_.t == 1.0) return {};
     return index == 0 ? predict_first(given, input_.t)
                       : predict_later(input_.points, given, input_.t);
+  }
+
+  /// How far a point may be off: also what computing in float gives far from the origin.
+  double allowed() const {
+    return task_.tolerance * extent(input_.points) +
+           float_rounding(largest_coordinate(input_.points));
+  }
+
+  std::string off_by(double error) const {
+    const double size = extent(input_.points);
+    return error_text(error, size, allowed() / size);
   }
 
   void report(std::string rule, std::string meaning, std::string element, std::string expected,
@@ -131,16 +140,14 @@ class StepsJudge {
 
   bool has_values(const std::vector<Point2>& given, const CurveStep& step) {
     const std::vector<Point2> expected = de_casteljau_step(given, input_.t);
-    const double size = extent(input_.points);
     const WorstPoint worst = worst_point(expected, step.result);
-    if (worst.error <= task_.tolerance * size) return true;
+    if (worst.error <= allowed()) return true;
     const std::string i = std::to_string(worst.index);
     report(
         "value", "point i of the result is (1 - t) points[i] + t points[i + 1]", "point " + i,
         point_text(expected[worst.index]) + " = (1 - t) " + point_text(given[worst.index]) +
             " + t " + point_text(given[worst.index + 1]) + " with t = " + number_text(input_.t),
-        point_text(step.result[worst.index]) + ", off by " +
-            error_text(worst.error, size, task_.tolerance),
+        point_text(step.result[worst.index]) + ", off by " + off_by(worst.error),
         "the formula for point " + i);
     return false;
   }
@@ -170,7 +177,8 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
 }  // namespace
 
 ExerciseJudge bezier_curve_judge(const ExerciseRubric& rubric) {
-  refuse_unknown_options(rubric, {});
+  refuse_unknown_options(rubric, {kSkeletonOption});
+  choose_option(rubric, kSkeletonOption, skeleton_choices());
   return {{"BezierCurve::evaluateStep"}, {}, judge_steps, known_misconceptions()};
 }
 

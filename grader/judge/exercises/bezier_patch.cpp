@@ -2,9 +2,11 @@
 
 #include "grader/base/text.h"
 #include "grader/cases/bezier_input.h"
+#include "grader/cases/bezier_skeleton.h"
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
+#include "grader/judge/local_scale.h"
 #include "grader/judge/options.h"
 #include "grader/judge/point_compare.h"
 
@@ -138,12 +140,13 @@ std::string place_text(const PatchInput& input, std::array<double, 2> place) {
 }
 
 /// A single point has no extent: its numbers are rounded by how far it is from the origin.
-double size_of(const PatchInput& input) {
+LocalScale scale_of(const PatchInput& input, double tolerance) {
   std::vector<Point3> all;
   for (const auto& row : input.net)
     all.insert(all.end(), row.begin(), row.end());
   if (all.size() == 1) all.push_back({0.0, 0.0, 0.0});
-  return extent(all);
+  const double size = extent(all);
+  return {size, tolerance * size + float_rounding(largest_coordinate(all)), "the size"};
 }
 
 void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t index,
@@ -153,10 +156,10 @@ void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t in
   const std::vector<Point3> expected = expected_result(input, place[0], place[1]);
   const std::string where = "at " + place_text(input, place);
   const std::string name = function_name(input.function);
-  const double size = size_of(input);
+  const LocalScale scale = scale_of(input, task.tolerance);
   const auto likely = [&] {
     return recognize(known_misconceptions(), predict(input, place[0], place[1]), actual,
-                     task.tolerance * size);
+                     scale.allowed);
   };
   judgement.verdict = Verdict::kFailed;
   if (actual.size() != expected.size()) {
@@ -168,18 +171,17 @@ void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t in
     return;
   }
   const WorstPoint worst = worst_point(expected, actual);
-  if (worst.error <= task.tolerance * size) {
+  if (worst.error <= scale.allowed) {
     judgement.verdict = Verdict::kPassed;
     return;
   }
-  judgement.findings.push_back(make_finding("value", formula(input.function), where,
-                                            input.function == PatchFunction::kStep
-                                                ? "point " + std::to_string(worst.index)
-                                                : "the result",
-                                            point_text(expected[worst.index]),
-                                            point_text(actual[worst.index]) + ", off by " +
-                                                error_text(worst.error, size, task.tolerance),
-                                            "BezierPatch::" + name));
+  judgement.findings.push_back(make_finding(
+      "value", formula(input.function), where,
+      input.function == PatchFunction::kStep ? "point " + std::to_string(worst.index)
+                                             : "the result",
+      point_text(expected[worst.index]),
+      point_text(actual[worst.index]) + ", off by " + error_text(worst.error, scale),
+      "BezierPatch::" + name));
   judgement.findings.back().likely = likely();
 }
 
@@ -197,11 +199,13 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
 }  // namespace
 
 ExerciseJudge bezier_patch_judge(const ExerciseRubric& rubric) {
-  refuse_unknown_options(rubric, {});
-  return {{"BezierPatch::evaluateStep", "BezierPatch::evaluate1D", "BezierPatch::evaluate"},
-          {},
-          judge_steps,
-          known_misconceptions()};
+  refuse_unknown_options(rubric, {kSkeletonOption});
+  choose_option(rubric, kSkeletonOption, skeleton_choices());
+  std::vector<std::string> functions{"BezierPatch::evaluate1D", "BezierPatch::evaluate"};
+  if (bezier_skeleton(rubric) != BezierSkeleton::kCourse2017) {
+    functions.insert(functions.begin(), "BezierPatch::evaluateStep");
+  }
+  return {functions, {}, judge_steps, known_misconceptions()};
 }
 
 }  // namespace meshgrade

@@ -11,7 +11,8 @@ ExerciseJudge edge_flip_judge(const ExerciseRubric& rubric) {
             judge_operations(task, judgement);
           },
           {},
-          show_stopped_operation};
+          show_stopped_operation,
+          true};
 }
 
 }  // namespace meshgrade

@@ -8,6 +8,7 @@
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
+#include "grader/judge/local_scale.h"
 #include "grader/judge/loop_match.h"
 #include "grader/judge/loop_misconceptions.h"
 #include "grader/judge/options.h"
@@ -151,6 +152,7 @@ class LevelsJudge {
       const auto mesh = from_wire<MeshDump>(steps[i]);
       Level level = refine(meshes);
       level.surface = to_surface(level.by_variant.begin()->second);
+      scales_ = scales_of_level(old_, level.origins, task_.tolerance);
       if (!keeps_rules(mesh) || !has_counts(level, old_to_mine, mesh) ||
           !has_surface(level, old_to_mine, mesh) || !has_positions(level, mesh)) {
         keep_scene(level, mesh);
@@ -260,7 +262,7 @@ class LevelsJudge {
 
   bool has_surface(const Level& level, const std::vector<Ref>& old_to_mine,
                    const MeshDump& mesh) {
-    match_ = match_level(level, old_to_mine, mesh, allowed_error(level));
+    match_ = match_level(level, old_to_mine, mesh, scales_);
     if (!match_.empty()) return true;
     report_other_surface(level, old_to_mine, mesh);
     show_valences(level, old_to_mine, mesh);
@@ -296,47 +298,41 @@ class LevelsJudge {
     return "the new vertex of an old edge";
   }
 
-  double allowed_error(const Level& level) const {
-    return task_.tolerance * extent(level.by_variant.begin()->second.positions);
-  }
-
   bool has_positions(const Level& level, const MeshDump& mesh) {
     const std::vector<Point3> actual = matched_points(match_, mesh);
-    const double size = extent(level.by_variant.begin()->second.positions);
-    const double allowed = allowed_error(level);
-    const std::string& nearest = nearest_variant(level, actual, allowed);
+    const std::string& nearest = nearest_variant(level, actual);
     const std::vector<Point3>& expected = level.by_variant.at(nearest).positions;
     if (task_.measure) {
+      const double size = extent(level.by_variant.begin()->second.positions);
       judgement_.deviation = measure_deviation(expected, mesh, match_, size, task_.tolerance);
       judgement_.deviation.weights = nearest;
     }
     Conventions agreeing;
     for (const auto& [name, polygons] : level.by_variant) {
-      if (worst_point(polygons.positions, actual).error <= allowed) agreeing.insert(name);
+      if (are_within(polygons.positions, actual, scales_)) agreeing.insert(name);
     }
     if (!agreeing.empty()) {
       conventions_ = keep_agreeing(agreeing);
       return true;
     }
-    report_position(level, actual, size, worst_point(expected, actual), nearest);
+    report_position(level, actual, worst_by_scale(expected, actual, scales_), nearest);
     if (task_.explain) {
       Finding& finding = judgement_.findings.back();
-      finding.likely = likely_positions(level, actual, size);
+      finding.likely = likely_positions(level, actual);
       const Misconceptions left_out =
-          not_copied(level.origins, expected, actual, mesh, allowed);
+          not_copied(level.origins, expected, actual, mesh);
       finding.likely.insert(finding.likely.end(), left_out.begin(), left_out.end());
-      finding.surface =
-          figure_of_positions(level.surface, expected, mesh, match_, allowed, size);
+      finding.surface = figure_of_positions(level.surface, expected, mesh, match_, scales_);
     }
     return false;
   }
 
   /// The allowed weights by which the fewest vertices are wrong; of these, the least wrong.
-  static const std::string& nearest_variant(const Level& level,
-                                            const std::vector<Point3>& actual, double allowed) {
+  const std::string& nearest_variant(const Level& level,
+                                     const std::vector<Point3>& actual) const {
     std::map<std::pair<std::size_t, double>, const std::string*> ranked;
     for (const auto& [name, polygons] : level.by_variant) {
-      ranked.emplace(std::pair(count_wrong(polygons, actual, allowed),
+      ranked.emplace(std::pair(count_wrong(polygons, actual, scales_),
                                worst_point(polygons.positions, actual).error),
                      &name);
     }
@@ -379,29 +375,31 @@ class LevelsJudge {
     return others;
   }
 
-  Misconceptions likely_positions(const Level& level, const std::vector<Point3>& actual,
-                                  double size) const {
+  Misconceptions likely_positions(const Level& level, const std::vector<Point3>& actual) const {
     RefinedStep step{old_, level.origins, {}, other_rules(level)};
     for (const auto& [name, polygons] : level.by_variant) {
       step.right.push_back({find_variant(name).vertex_rule, polygons.positions});
     }
-    return recognize_positions(step, actual, task_.tolerance * size);
+    const auto strictest = std::min_element(
+        scales_.begin(), scales_.end(),
+        [](const LocalScale& x, const LocalScale& y) { return x.allowed < y.allowed; });
+    return recognize_positions(step, actual, strictest->allowed);
   }
 
   /// Names the first or the last vertex of the student's list, if it alone is where the splits
   /// have left it.
   Misconceptions not_copied(const std::vector<Origin>& origins,
                             const std::vector<Point3>& expected,
-                            const std::vector<Point3>& actual, const MeshDump& mesh,
-                            double allowed) const {
+                            const std::vector<Point3>& actual,
+                            const MeshDump& mesh) const {
     std::vector<std::size_t> wrong;
     for (std::size_t v = 0; v < actual.size(); ++v) {
-      if (!(distance(expected[v], actual[v]) <= allowed)) wrong.push_back(v);
+      if (!(distance(expected[v], actual[v]) <= scales_[v].allowed)) wrong.push_back(v);
     }
     if (wrong.size() != 1) return {};
     const Origin& origin = origins[wrong[0]];
     const Point3 left = blend(old_.positions[origin.a], old_.positions[origin.b], 0.5);
-    if (!(distance(left, actual[wrong[0]]) <= allowed)) return {};
+    if (!(distance(left, actual[wrong[0]]) <= scales_[wrong[0]].allowed)) return {};
     const auto is_live = [](const VertexRecord& v) { return v.live != 0; };
     const auto& vertices = mesh.vertices;
     const auto first = std::find_if(vertices.begin(), vertices.end(), is_live);
@@ -422,20 +420,21 @@ class LevelsJudge {
   }
 
   /// By which rule a position is the expected one; empty for edge points, which have one rule.
-  std::string rule_text(const Level& level, std::size_t index, double allowed,
+  std::string rule_text(const Level& level, std::size_t index,
                         const std::string& variant) const {
     if (!level.origins[index].is_old()) return {};
     const Point3& expected = level.by_variant.at(variant).positions[index];
     std::set<VertexRule> rules;
     for (const auto& [name, polygons] : level.by_variant) {
-      if (distance(polygons.positions[index], expected) > allowed) return " by " + variant;
+      const double other = distance(polygons.positions[index], expected);
+      if (other > scales_[index].allowed) return " by " + variant;
       rules.insert(find_variant(name).vertex_rule);
     }
     return rules.size() > 1 ? " by either rule's weights" : " by " + variant;
   }
 
-  void report_position(const Level& level, const std::vector<Point3>& actual, double size,
-                       WorstPoint worst, const std::string& variant) {
+  void report_position(const Level& level, const std::vector<Point3>& actual, WorstPoint worst,
+                       const std::string& variant) {
     const std::size_t valence = valences(level.surface)[worst.index];
     const bool old = level.origins[worst.index].is_old();
     const std::string mine = vertex_name(match_[worst.index]);
@@ -443,9 +442,9 @@ class LevelsJudge {
            mine + ", " + origin_text(level, worst.index) +
                (old ? " with " + plural(valence, "edge") : ""),
            point_text(level.by_variant.at(variant).positions[worst.index]) +
-               rule_text(level, worst.index, task_.tolerance * size, variant),
+               rule_text(level, worst.index, variant),
            point_text(actual[worst.index]) + ", off by " +
-               error_text(worst.error, size, task_.tolerance),
+               error_text(worst.error, scales_[worst.index]),
            std::string(old ? "the weights of old vertices" : "the weights of edge points") +
                ", from positions before the step: " +
                formula(old, on_boundary(level.surface)[worst.index]));
@@ -455,10 +454,11 @@ class LevelsJudge {
   Conventions& conventions_;
   CaseJudgement& judgement_;
   std::string where_;
-  PolygonMesh old_;         ///< the mesh before the step, expected vertices
-  MeshDump before_;         ///< the same as the student has it
-  Ref first_marked_ = 0;    ///< vertices from here on did not exist before the first level
-  std::vector<Ref> match_;  ///< expected vertex -> the student's
+  PolygonMesh old_;       ///< the mesh before the step, expected vertices
+  MeshDump before_;       ///< the same as the student has it
+  Ref first_marked_ = 0;  ///< vertices from here on did not exist before the first level
+  std::vector<LocalScale> scales_;  ///< of the expected vertices
+  std::vector<Ref> match_;          ///< expected vertex -> the student's
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/judge.h"
+#include "grader/judge/local_scale.h"
 #include "grader/judge/normals.h"
 #include "grader/judge/options.h"
 #include "grader/judge/point_compare.h"
@@ -56,12 +57,13 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
   std::vector<Point3> actual;
   for (const std::string& step : task.outcome.steps)
     actual.push_back(from_wire<Point3>(step));
-  const WorstPoint worst = worst_point(expected, actual);
-  if (worst.error <= task.tolerance) {
+  const std::vector<LocalScale> scales = scales_of_normals(input.mesh, task.tolerance);
+  if (are_within(expected, actual, scales)) {
     require_all_steps(task.outcome, expected.size());
     return;
   }
   judgement.verdict = Verdict::kFailed;
+  const WorstPoint worst = worst_by_scale(expected, actual, scales);
   judgement.findings.push_back(
       wrong_normal(task, input, worst, expected[worst.index], actual[worst.index]));
   judgement.findings.back().likely =

@@ -50,6 +50,11 @@ std::uint32_t next_mesh_serial() {
   return ++last;
 }
 
+EdgeRecord& shared_record() {
+  static EdgeRecord record;
+  return record;
+}
+
 template <class T>
 void print_if_same(const Handle<T>& a, const Handle<T>& b, const char* kind,
                    const void* address, const char* member) {
@@ -58,14 +63,24 @@ void print_if_same(const Handle<T>& a, const Handle<T>& b, const char* kind,
 
 }  // namespace
 
-HalfedgeMesh::HalfedgeMesh() : serial_(next_mesh_serial()) {}
+Edge::Edge() : Edge(shared_record()) {}
+
+HalfedgeMesh::HalfedgeMesh() : detail::Added<HalfedgeMesh>(), serial_(next_mesh_serial()) {
+  halfedges.set_mesh(serial_);
+  vertices.set_mesh(serial_);
+  edges.set_mesh(serial_);
+  faces.set_mesh(serial_);
+  boundaries.set_mesh(serial_);
+}
 
 HalfedgeMesh::HalfedgeMesh(const HalfedgeMesh& mesh) : HalfedgeMesh() {
   *this = mesh;
 }
 
 HalfedgeMesh& HalfedgeMesh::operator=(const HalfedgeMesh& mesh) {
-  if (this != &mesh) detail::Inspector::copy(mesh, *this);
+  if (this == &mesh) return *this;
+  detail::Added<HalfedgeMesh>::operator=(mesh);
+  detail::Inspector::copy(mesh, *this);
   return *this;
 }
 

@@ -7,6 +7,23 @@
 
 namespace meshedit {
 
+namespace detail {
+
+inline Halfedge* Element::getHalfedge() {
+  return tag_.kind() == ElementKind::kHalfedge ? static_cast<Halfedge*>(this) : nullptr;
+}
+inline Vertex* Element::getVertex() {
+  return tag_.kind() == ElementKind::kVertex ? static_cast<Vertex*>(this) : nullptr;
+}
+inline Edge* Element::getEdge() {
+  return tag_.kind() == ElementKind::kEdge ? static_cast<Edge*>(this) : nullptr;
+}
+inline Face* Element::getFace() {
+  return tag_.kind() == ElementKind::kFace ? static_cast<Face*>(this) : nullptr;
+}
+
+}  // namespace detail
+
 inline bool Halfedge::isBoundary() const {
   return face()->isBoundary();
 }
@@ -59,6 +76,7 @@ inline Edge::Edge(EdgeRecord& place, const Edge& other) : Edge(place) {
 }
 
 inline Edge& Edge::operator=(const Edge& other) {
+  detail::Added<Edge>::operator=(other);
   _halfedge = other._halfedge;
   isNew = other.isNew;
   newPosition = other.newPosition;

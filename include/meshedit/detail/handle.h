@@ -82,7 +82,7 @@ class Handle {
   friend class HalfedgeMesh;
   friend class detail::MeshBuilder;
   template <class U>
-  friend const void* elementAddress(const Handle<U>& handle);
+  friend U* elementAddress(const Handle<U>& handle);
 
   explicit Handle(T* element) : element_(element) {}
 
@@ -120,7 +120,7 @@ class Handle {
 
 /// The address of an element, whatever state it is in. For printing; nullptr if never set.
 template <class T>
-const void* elementAddress(const Handle<T>& handle) {
+T* elementAddress(const Handle<T>& handle) {
   return handle.element_;
 }
 

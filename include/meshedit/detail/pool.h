@@ -16,12 +16,16 @@
 #include <type_traits>
 #include <utility>
 
+#include "../fault.h"
+
 namespace meshedit {
 
 template <class T>
 class Handle;
 class Halfedge;
+class Vertex;
 class Edge;
+class Face;
 class EdgeRecord;
 
 namespace detail {
@@ -36,19 +40,47 @@ enum class SlotState : std::uint32_t {
 
 constexpr std::size_t kMaxElements = (std::size_t{1} << 29U) - 1;
 
-/// Eight bytes in front of every element: its state, its place in the list, and its mesh.
+enum class ElementKind : std::uint32_t { kNone = 0, kHalfedge, kVertex, kEdge, kFace };
+
+template <class T>
+struct KindOf {
+  static constexpr ElementKind kValue = ElementKind::kNone;
+};
+template <>
+struct KindOf<Halfedge> {
+  static constexpr ElementKind kValue = ElementKind::kHalfedge;
+};
+template <>
+struct KindOf<Vertex> {
+  static constexpr ElementKind kValue = ElementKind::kVertex;
+};
+template <>
+struct KindOf<Edge> {
+  static constexpr ElementKind kValue = ElementKind::kEdge;
+};
+template <>
+struct KindOf<Face> {
+  static constexpr ElementKind kValue = ElementKind::kFace;
+};
+
+/// Eight bytes in front of every element: its state, its place in the list, its kind and its
+/// mesh.
 class Tag {
  public:
   Tag() = default;
-  Tag(SlotState state, std::size_t index, std::uint32_t mesh)
+  Tag(SlotState state, std::size_t index, std::uint32_t mesh,
+      ElementKind kind = ElementKind::kNone)
       : word_(static_cast<std::uint32_t>(index << 3U) | static_cast<std::uint32_t>(state)),
-        mesh_(mesh) {}
+        mesh_(mesh | (static_cast<std::uint32_t>(kind) << kMeshBits)) {}
 
   SlotState state() const { return static_cast<SlotState>(word_ & 7U); }
   std::uint32_t index() const { return word_ >> 3U; }
-  std::uint32_t mesh() const { return mesh_; }
+  std::uint32_t mesh() const { return mesh_ & ((1U << kMeshBits) - 1); }
+  ElementKind kind() const { return static_cast<ElementKind>(mesh_ >> kMeshBits); }
 
  private:
+  static constexpr std::uint32_t kMeshBits = 29;
+
   std::uint32_t word_ = 0;
   std::uint32_t mesh_ = 0;
 };
@@ -63,6 +95,12 @@ class Element {
   Element(const Element& /*other*/) : Element() {}
   Element& operator=(const Element& /*other*/) { return *this; }
   ~Element() = default;
+
+  /// The element as what it is, if it is that and belongs to a mesh; otherwise nullptr.
+  Halfedge* getHalfedge();
+  Vertex* getVertex();
+  Edge* getEdge();
+  Face* getFace();
 
  private:
   template <class T>
@@ -88,6 +126,11 @@ struct AsideOf<Edge> {
   using Type = EdgeRecord;
 };
 
+/// What a homework for another skeleton adds to an element: nothing, unless the grader says so
+/// (halfedge_mesh.h).
+template <class T>
+struct Added {};
+
 /// Pointers to memory blocks that double in size, so that there is room for all there can be.
 /// A std::vector would do, but each student's file would instantiate it once more.
 template <class T>
@@ -112,6 +155,11 @@ class Pool {
   static constexpr bool kHasAside = !std::is_same<Aside, NothingAside>::value;
 
  public:
+  using value_type = T;
+  using size_type = std::size_t;
+  using iterator = Handle<T>;
+  using const_iterator = Handle<const T>;
+
   Pool() { end_.set(SlotState::kEnd, kMaxElements, 0, this); }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
@@ -137,7 +185,7 @@ class Pool {
     } else {
       ::new (static_cast<void*>(slot)) T(std::forward<Args>(args)...);
     }
-    slot->tag_ = Tag(SlotState::kLive, used_, mesh);
+    slot->tag_ = Tag(SlotState::kLive, used_, mesh, KindOf<T>::kValue);
     end_.set(SlotState::kEnd, kMaxElements, mesh, this);
     ++free_;
     ++used_;
@@ -151,6 +199,34 @@ class Pool {
     element->tag_ = Tag(SlotState::kDeleted, element->tag_.index(), element->tag_.mesh());
     --live_;
   }
+
+  // Like std::list, for functions that go to the lists themselves. New elements always come
+  // last, whatever the place that insert() is given.
+  Handle<T> insert(const Handle<const T>& /*place*/, const T& value) {
+    return Handle<T>(append(mesh(), value));
+  }
+  void push_back(const T& value) { append(mesh(), value); }
+  template <class... Args>
+  T& emplace_back(Args&&... args) {
+    return *append(mesh(), std::forward<Args>(args)...);
+  }
+  Handle<T> erase(const Handle<T>& handle) {
+    Handle<T> after = handle;
+    ++after;
+    if (handle.element_->tag_.mesh() != mesh()) {
+      raise_fault(FaultKind::kForeignHandle, T::kHandleName);
+    }
+    remove(handle.element_);
+    return after;
+  }
+  T& front() { return *begin(); }
+  T& back() { return *--end(); }
+  const T& front() const { return *begin(); }
+  const T& back() const { return *--end(); }
+
+  /// The mesh that the elements belong to; 0 if to none.
+  std::uint32_t mesh() const { return end_.mesh(); }
+  void set_mesh(std::uint32_t mesh) { end_.set(SlotState::kEnd, kMaxElements, mesh, this); }
 
   /// Destroys all elements and frees their memory.
   void clear() {
@@ -241,6 +317,9 @@ class Pool {
 #endif
     void* target = nullptr;
 
+    std::uint32_t mesh() const {
+      return this->tag_.mesh();
+    }
     void set(SlotState state, std::size_t index, std::uint32_t mesh, void* new_target) {
       this->tag_ = Tag(state, index, mesh);
       target = new_target;

@@ -23,8 +23,11 @@ export function showPicture(app: HTMLElement, data: PictureData): void {
   const deviation = panels.at(-1)!.state.deviation;
   page.append(grid.element);
   if (request.compare && deviation) page.append(legend(deviation, null));
-  const options = { wireframe: request.wireframe, ids: request.ids, edgeIds: request.ids, arrows: request.ids };
-  grid.show(panels.map((p) => levelCell(p.caption, p.state, request.compare)), request.width, grid.element.clientHeight, options, { fine: true });
+  const options = { wireframe: request.wireframe, ids: request.ids, edgeIds: request.ids, arrows: request.ids,
+    smooth: request.smooth, edges: !request.smooth || request.wireframe, normalLines: request.normals };
+  const cells = panels.map((p) => ({ ...levelCell(p.caption, p.state, request.compare),
+    normals: p.normals ? Float32Array.from(p.normals.map((x) => x ?? NaN)) : null }));
+  grid.show(cells, request.width, grid.element.clientHeight, options, { fine: true });
   const { azimuth, elevation, distance } = request.camera;
   grid.lookFrom(azimuth, elevation, distance);
   grid.renderNow();

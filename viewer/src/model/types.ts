@@ -69,6 +69,8 @@ export interface Case {
   shrunk_from?: string;
   verdict: string;
   note: string;
+  /** Takes no points: another exercise is to blame. */
+  excused?: boolean;
   output: string;
   output_bytes: number;
   findings: Finding[];
@@ -137,13 +139,15 @@ export interface StateJson {
 export interface PictureData {
   kind: 'picture';
   title: string;
-  panels: { caption: string; state: StateJson }[];
+  panels: { caption: string; state: StateJson; normals?: (number | null)[] }[];
   request: {
     camera: { azimuth: number; elevation: number; distance: number };
     width: number;
     height: number;
     wireframe: boolean;
     ids: boolean;
+    smooth: boolean;
+    normals: boolean;
     compare: boolean;
   };
 }
@@ -162,6 +166,7 @@ export interface ClassRow {
 }
 export interface ExercisePoints {
   name: string;
+  title?: string;
   verdict: string;
   points: number;
   max_points: number;

@@ -1,8 +1,9 @@
 // One case of a report: its findings, pointer tables, picture, and the mesh in 3D.
 
-import { button, el, picture, type Child } from '../dom';
+import { button, el, type Child } from '../dom';
 import { Mesh } from '../model/mesh';
 import type { Case, Finding, PointerDiff, PointerTable, Scene } from '../model/types';
+import { figure } from './figure';
 import type { MeshState } from './marks';
 import { MeshPanel } from './mesh_panel';
 import { verdictTag } from './verdict';
@@ -33,13 +34,12 @@ export function findingBlock(finding: Finding, first: boolean): HTMLElement {
       finding.meaning !== '' && el('span', {}, ` ${finding.meaning}`)),
     finding.where !== '' && el('p', { class: 'quiet' }, finding.where),
     el('dl', { class: 'facts' },
-      ...fact('where', finding.element, 'mono'),
+      ...fact('at', finding.element, 'mono'),
       ...fact('expected', finding.expected, 'want'),
-      ...fact('came', finding.actual, 'bad-text'),
+      ...fact('yours', finding.actual, 'bad-text'),
       ...fact('look at', finding.look_at, 'look')),
     finding.likely.length > 0 && el('div', { class: 'likely' },
-      el('strong', {}, 'The numbers agree with this mistake'),
-      ...finding.likely.map((m) => el('p', {}, el('span', { class: 'mono' }, m.name), ` — ${m.advice}`))),
+      ...finding.likely.map((m, i) => el('p', {}, el('strong', {}, i === 0 ? 'probably ' : 'or '), m.advice))),
     stackList(finding),
   );
 }
@@ -53,7 +53,7 @@ function pointerTable(table: PointerTable): HTMLElement {
     }
     return el('td', { class: 'wrong' },
       el('span', { class: 'mono yours' }, '✗ ', c.yours === '' ? 'missing' : c.yours),
-      el('span', { class: 'want' }, 'want ', el('strong', { class: 'mono' }, c.expected)));
+      el('span', { class: 'want' }, 'expected ', el('strong', { class: 'mono' }, c.expected)));
   };
   const rows = table.rows.map((row) =>
     el('tr', {},
@@ -127,7 +127,6 @@ function outputBlock(c: Case): Child {
 }
 
 export function caseCard(c: Case): HTMLDetailsElement {
-  const svg = c.picture ? picture(c.picture) : null;
   const pointers = c.findings.find((f) => f.pointers)?.pointers;
   const [first, ...others] = c.findings;
   const card = el(
@@ -140,7 +139,7 @@ export function caseCard(c: Case): HTMLDetailsElement {
     c.shrunk_from && el('p', { class: 'quiet' }, `Made smaller; it was: ${c.shrunk_from}`),
     c.note !== '' && el('p', { class: 'note' }, c.note),
     first && findingBlock(first, true),
-    svg && el('figure', { class: 'figure' }, svg),
+    c.picture ? figure(c.picture) : null,
     c.scene && sceneBlock(c, c.scene),
     pointers && pointerTables(pointers),
     others.length > 0 && el('details', { class: 'more', open: others.length < 3 },

@@ -21,12 +21,13 @@ function svg(tag: string, attributes: Record<string, string | number>, text = ''
   return element;
 }
 
-/** How many got how many points, in ten steps. */
+/** How many got how many points: in ten steps, and in a bar of its own all points. */
 export function histogram(values: number[], most: number): number[] {
-  const bins = new Array<number>(10).fill(0);
+  const bins = new Array<number>(11).fill(0);
   for (const value of values) {
-    const share = most > 0 ? value / most : 0;
-    bins[Math.max(0, Math.min(9, Math.floor(share * 10)))]! += 1;
+    const share = most > 0 ? value / most : 1;
+    // Sums of thirds of points may miss the last bit.
+    bins[share >= 1 - 1e-9 ? 10 : Math.max(0, Math.min(9, Math.floor(share * 10 + 1e-9)))]! += 1;
   }
   return bins;
 }
@@ -35,15 +36,15 @@ function distribution(results: ClassResults): HTMLElement {
   const values = results.rows.filter(hasPoints).map((r) => r.points).sort((a, b) => a - b);
   const bins = histogram(values, results.max_points);
   const highest = Math.max(1, ...bins);
-  const picture = svg('svg', { viewBox: '0 0 500 150', role: 'img', class: 'histogram' });
-  const words = bins.map((n, i) => `${n} from ${i * 10} to ${i === 9 ? 100 : i * 10 + 9} per cent`);
+  const picture = svg('svg', { viewBox: '0 -10 550 166', role: 'img', class: 'histogram' });
+  const words = bins.map((n, i) => i === 10 ? `${n} with all points` : `${n} from ${i * 10} to below ${i * 10 + 10} per cent`);
   picture.append(svg('title', {}, `Distribution of points: ${words.join('; ')}`));
   bins.forEach((n, i) => {
     const height = (n / highest) * 105;
     picture.append(
-      svg('rect', { x: 50 * i + 3, y: 125 - height, width: 44, height, rx: 3, class: 'bin' }),
+      svg('rect', { x: 50 * i + 3, y: 125 - height, width: 44, height, rx: 3, class: i === 10 ? 'bin full' : 'bin' }),
       svg('text', { x: 50 * i + 25, y: 118 - height, class: 'bin-count' }, n > 0 ? String(n) : ''),
-      svg('text', { x: 50 * i + 25, y: 144, class: 'bin-name' }, points((i * results.max_points) / 10)));
+      svg('text', { x: 50 * i + 25, y: 147, class: 'bin-name' }, i === 10 ? 'all' : points((i * results.max_points) / 10)));
   });
   const fact = (title: string, value: string): HTMLElement =>
     el('div', {}, el('dt', {}, title), el('dd', {}, value));
@@ -78,7 +79,7 @@ function exerciseFailures(results: ClassResults): HTMLElement {
       bar.append(part);
     }
     return el('tr', {},
-      el('th', { scope: 'row', class: 'mono' }, exercise.name),
+      el('th', { scope: 'row' }, exercise.title || exercise.name),
       el('td', {}, bar, el('span', { class: 'quiet' }, sorted.map(([v, n]) => `${n} ${v}`).join(', '))),
       el('td', { class: 'number' }, `${points(sum / Math.max(1, graded.length))} / ${points(exercise.max_points)}`));
   });
@@ -109,7 +110,7 @@ function columnsOf(results: ClassResults, links: Record<string, string>): Column
     { title: 'Extra', number: true, value: (row) => row.extra_points,
       cell: (row) => (hasPoints(row) ? points(row.extra_points) : '–') },
     ...results.exercises.map((exercise, i): Column => ({
-      title: exercise.name,
+      title: exercise.title || exercise.name,
       number: true,
       value: (row) => (row.exercises[i]?.verdict ? row.exercises[i]!.points : -1),
       cell: (row) => {

@@ -23,7 +23,7 @@ export function brokenRules(breaks: RuleBreak[], choose: Choose): HTMLElement {
     ...breaks.map((b) => {
       const element = parseElement(b.look_at) ?? parseElement(b.element);
       const text = [el('strong', { class: 'mono' }, b.rule), ` ${b.element}: `,
-        `${b.actual}; expected: ${b.expected}`];
+        `${b.actual}; expected ${b.expected}`];
       return el(
         'li',
         { title: b.meaning },
@@ -48,7 +48,7 @@ export function changedPointers(changes: PointerChange[], wrong: WrongPointer[],
       el('td', {}, c.before === '' ? el('span', { class: 'tag' }, 'new') : elementLink(c.before, choose)),
       el('td', { class: 'arrow', 'aria-hidden': 'true' }, '→'),
       el('td', {}, c.after === '' ? 'deleted' : elementLink(c.after, choose)),
-      el('td', {}, fault ? ['✗ want ', fault.expected].join('') : ''),
+      el('td', {}, fault ? ['✗ must be ', fault.expected].join('') : ''),
     );
   });
   return el(
@@ -72,7 +72,7 @@ export function notChanged(wrong: WrongPointer[], choose: Choose): HTMLElement |
         el('th', { scope: 'row' }, elementLink(w.pointer, choose)),
         el('td', {}, 'still ', elementLink(w.actual, choose)),
         el('td', { class: 'arrow', 'aria-hidden': 'true' }, ''),
-        el('td', {}, 'want ', el('strong', {}, elementLink(w.expected, choose))),
+        el('td', {}, 'must be ', el('strong', {}, elementLink(w.expected, choose))),
       ))),
   );
 }

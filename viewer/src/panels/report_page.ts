@@ -1,6 +1,8 @@
-// A grading report: the points, then each exercise with its cases, the failed ones first.
+// A grading report: the points, the first failure, a line for each exercise, and a section with
+// its cases for each that did not pass.
 
 import { el, replace, type Child } from '../dom';
+import { firstFailure, isPassed, type FirstFailure } from '../model/first_failure';
 import type { Case, Exercise, Group, Report } from '../model/types';
 import { caseCard, openCase } from './case_card';
 import { points, toneOf, verdictTag } from './verdict';
@@ -34,27 +36,34 @@ function head(report: Report): HTMLElement {
   );
 }
 
+function rowContent(exercise: Exercise): Child[] {
+  const { sign, tone } = toneOf(exercise.verdict);
+  const extra = exercise.max_extra_points > 0
+    ? `, extra credit ${points(exercise.extra_points)} / ${points(exercise.max_extra_points)}` : '';
+  return [
+    el('span', { class: `sign ${tone}`, 'aria-hidden': 'true' }, sign),
+    el('span', { class: 'overview-name' }, exercise.title,
+      el('span', { class: 'quiet verdict-text' }, exercise.verdict, extra)),
+    bar(exercise.points, exercise.max_points, ''),
+    score(exercise.points, exercise.max_points)];
+}
+
+/** What passed is one line, to be opened; what did not, a link to its section. */
 function overview(report: Report): HTMLElement {
   return el(
     'nav',
     { class: 'overview', 'aria-label': 'Exercises' },
-    ...report.exercises.map((exercise) => {
-      const { sign, tone } = toneOf(exercise.verdict);
-      return el(
-        'a',
-        { href: `#exercise-${exercise.name}`, class: 'overview-row' },
-        el('span', { class: `sign ${tone}`, 'aria-hidden': 'true' }, sign),
-        el('span', { class: 'overview-name' }, exercise.title,
-          el('span', { class: 'quiet verdict-text' }, exercise.verdict)),
-        bar(exercise.points, exercise.max_points, ''),
-        score(exercise.points, exercise.max_points));
-    }),
+    ...report.exercises.map((exercise) => isPassed(exercise)
+      ? el('details', { class: 'overview-passed', id: `exercise-${exercise.name}` },
+        el('summary', { class: 'overview-row' }, ...rowContent(exercise)),
+        el('div', { class: 'exercise-body' }, ...exerciseBody(exercise, null)))
+      : el('a', { href: `#exercise-${exercise.name}`, class: 'overview-row' }, ...rowContent(exercise))),
   );
 }
 
 function groupTable(exercise: Exercise): HTMLElement {
   return el('table', { class: 'groups' },
-    el('thead', {}, el('tr', {}, ...['What is tried', 'Cases passed', 'Points'].map((t, i) =>
+    el('thead', {}, el('tr', {}, ...['What is tried', 'Passed', 'Points'].map((t, i) =>
       el('th', { scope: 'col', class: i > 0 ? 'number' : undefined }, t)))),
     el('tbody', {}, ...exercise.groups.map((g) =>
       el('tr', {},
@@ -90,56 +99,93 @@ function untriedCases(cases: Case[]): Child[] {
       el('summary', {}, `${cases.length} ${cases.length === 1 ? 'case' : 'cases'} of it`), ...cases.map(caseCard))];
 }
 
-function exerciseSection(exercise: Exercise): HTMLElement {
+/** @param above  the case that the page begins with: it is not told twice */
+function exerciseBody(exercise: Exercise, above: Case | null): Child[] {
   const isPlain = (c: Case): boolean => c.verdict === 'passed' && c.output === '';
   const failed = exercise.cases.filter((c) => !isPlain(c));
-  const told = failed.find((c) => c.findings.length > 0);
+  const told = failed.some((c) => c.findings.length > 0);
   const isUntried = failed.length > 0 && !told && failed.every((c) => c.output === '');
-  const cards = isUntried ? untriedCases(failed) : exercise.groups.flatMap((group) =>
-    failedCases(group, failed.filter((c) => c.group === group.name)));
+  const rest = failed.filter((c) => c !== above);
+  const cards = isUntried ? (rest.length > 0 ? untriedCases(rest) : []) : exercise.groups.flatMap((group) =>
+    failedCases(group, rest.filter((c) => c.group === group.name)));
+  return [
+    ...exercise.notes.map((note) => el('p', { class: 'note' }, note)),
+    exercise.stand_ins.length > 0 && el('p', { class: 'note' },
+      `Judged with a right solution of ${exercise.stand_ins.join(', ')} in place of yours.`),
+    groupTable(exercise),
+    above && el('p', {}, 'At the top of this page: ',
+      el('a', { class: 'mono', href: `#case-${above.id}` }, above.id)),
+    ...cards,
+    passedList(exercise.cases.filter(isPlain)),
+  ];
+}
+
+function exerciseSection(exercise: Exercise, first: FirstFailure | null): HTMLElement {
+  const above = first?.exercise === exercise ? first.case : null;
   const section = el(
     'section',
     { class: 'exercise', id: `exercise-${exercise.name}` },
     el('div', { class: 'exercise-head' },
       el('h2', {}, exercise.title), verdictTag(exercise.verdict), score(exercise.points, exercise.max_points)),
-    ...exercise.notes.map((note) => el('p', { class: 'note' }, note)),
-    exercise.stand_ins.length > 0 && el('p', { class: 'note' },
-      `Judged with a right solution of ${exercise.stand_ins.join(', ')} in place of yours.`),
-    groupTable(exercise),
-    ...cards,
-    passedList(exercise.cases.filter(isPlain)),
+    ...exerciseBody(exercise, above),
   );
+  const told = !above && exercise.cases.find((c) => c.verdict !== 'passed' && c.findings.length > 0);
   const card = told && section.querySelector<HTMLDetailsElement>(`#${CSS.escape(`case-${told.id}`)}`);
   if (card) openCase(card);
   return section;
 }
 
+/** What to look at first, before anything else. */
+function firstSection(first: FirstFailure | null): Child {
+  if (!first || first.case.findings.length === 0 && first.case.note === '') return null;
+  const card = caseCard(first.case);
+  openCase(card);
+  card.classList.add('told');
+  return el('section', { class: 'exercise first-failure' },
+    el('div', { class: 'exercise-head' }, el('h2', {}, 'Look at this first'),
+      el('a', { href: `#exercise-${first.exercise.name}` }, first.exercise.title)),
+    card);
+}
+
+/** What does not compile comes before everything that could be wrong with it. */
+function notCompiled(report: Report): Child {
+  const broken = report.files.filter((f) => !f.compiled);
+  if (broken.length === 0) return null;
+  return el('section', { class: 'files' },
+    ...broken.map((f) => el('details', { open: true },
+      el('summary', {}, el('span', { class: 'mono' }, f.name), ' ', verdictTag('not compiled')),
+      el('pre', { tabindex: 0 }, f.messages))));
+}
+
 function files(report: Report): Child {
-  const broken = report.files.filter((f) => !f.compiled || f.messages !== '');
-  if (broken.length === 0 && report.notes.length === 0) return null;
+  const warned = report.files.filter((f) => f.compiled && f.messages !== '');
+  if (warned.length === 0 && report.notes.length === 0) return null;
   return el('section', { class: 'files' },
     report.notes.length > 0 && el('ul', { class: 'notes' }, ...report.notes.map((n) => el('li', {}, n))),
-    ...broken.map((f) => el('details', { open: !f.compiled },
-      el('summary', {}, el('span', { class: 'mono' }, f.name), ' ',
-        f.compiled ? 'compiled with warnings' : verdictTag('not compiled')),
+    ...warned.map((f) => el('details', {},
+      el('summary', {}, el('span', { class: 'mono' }, f.name), ' compiled with warnings'),
       el('pre', { tabindex: 0 }, f.messages))));
 }
 
 export function showReport(app: HTMLElement, report: Report): void {
   document.title = `${report.submission}: ${points(report.points)} of ${points(report.max_points)} points`;
+  const first = firstFailure(report);
   replace(
     app,
     el('main', { class: 'report' },
       head(report),
+      notCompiled(report),
+      firstSection(first),
       overview(report),
       files(report),
-      ...report.exercises.map(exerciseSection),
+      ...report.exercises.filter((e) => !isPassed(e)).map((e) => exerciseSection(e, first)),
       el('footer', { class: 'quiet' }, `Meshgrade, random cases from seed ${report.seed}. Repeat a case: `,
         el('code', {}, 'meshgrade replay CASE'), '.')),
   );
-  // On paper everything that failed is open, and nothing that passed.
+  // On paper the first of everything that failed is open; the style leaves out the tables of all
+  // but the very first.
   window.addEventListener('beforeprint', () => {
-    for (const card of app.querySelectorAll<HTMLDetailsElement>('details.case')) openCase(card);
-    for (const more of app.querySelectorAll<HTMLDetailsElement>('.case details')) more.open = true;
+    for (const card of app.querySelectorAll<HTMLDetailsElement>('.exercise > details.case')) openCase(card);
+    for (const more of app.querySelectorAll<HTMLDetailsElement>('.told details')) more.open = true;
   });
 }

@@ -14,6 +14,7 @@ export interface GridCell {
   mesh: Mesh;
   marks: Marks;
   colors: (string | null)[] | null;
+  normals?: Float32Array | null;
 }
 
 const CAPTION = 30;
@@ -52,7 +53,7 @@ export class MeshGrid {
       view.canvas.setAttribute('aria-label', cell.text);
       view.resize();
       view.colorVertices(cell.colors);
-      view.show(cell.mesh, cell.marks, false);
+      view.show(cell.mesh, cell.marks, false, cell.normals ?? null);
       view.eye.lookAtBall(ball);
       return view;
     });

@@ -1,4 +1,4 @@
-// Wrong: deletes the old edge and makes two new ones.
+// Wrong: anchors the new vertex wrongly above 400 faces.
 #include "meshedit/meshedit.h"
 
 namespace meshedit {
@@ -77,11 +77,7 @@ VertexIter HalfedgeMesh::splitEdge(EdgeIter e0) {
   e1->isNew = e0->isNew;
   h1->edge() = e1;
   t->edge() = e1;
-  const EdgeIter e2 = newEdge();
-  e2->halfedge() = h;
-  h->edge() = e2;
-  t1->edge() = e2;
-  deleteEdge(e0);
+  t1->edge() = e0;
   h->twin() = t1;
   t1->twin() = h;
   h1->twin() = t;
@@ -89,6 +85,7 @@ VertexIter HalfedgeMesh::splitEdge(EdgeIter e0) {
 
   if (!h->isBoundary()) joinToOpposite(*this, h);
   if (!t->isBoundary()) joinToOpposite(*this, t);
+  if (nFaces() > 400) m->halfedge() = h->next();
   return m;
 }
 
