@@ -79,7 +79,7 @@ void add_rows(CaseMaker& maker) {
   Random random = maker.random("rows");
   for (std::size_t count : {5U, 6U, 8U, 16U, 24U}) {
     add_step(maker, count, random.unit(), random);
-    add_line(maker, count, random.unit(), random);
+    add_line(maker, "line", count, random.unit(), random);
   }
   std::vector<std::array<double, 2>> grid;
   for (double t : kParameterGrid)
