@@ -67,11 +67,15 @@ std::vector<fs::path> folders_in(const std::vector<fs::path>& folders) {
   static const std::set<std::string> others{"CGL", "ext", "build", "deps", "docs"};
   std::vector<fs::path> found;
   for (const fs::path& folder : folders) {
-    for (const fs::path& entry : list(folder)) {
-      if (is_hidden(entry) || others.count(entry.filename().string()) != 0) continue;
-      if (is_folder(entry)) found.push_back(entry);
+    std::error_code error;  // what cannot be read is nobody's homework
+    for (fs::directory_iterator it(folder, error), end; !error && it != end;
+         it.increment(error)) {
+      const std::string name = it->path().filename().string();
+      if (is_hidden(name) || others.count(name) != 0 || !is_folder(it->path())) continue;
+      found.push_back(it->path());
     }
   }
+  std::sort(found.begin(), found.end());
   return found;
 }
 
@@ -203,7 +207,11 @@ void add_folder(const fs::path& path, const SubmissionRules& rules, int archives
   const fs::path folder = enter_course_project(unwrap(path));
   if (archives == 0) submission.folder = folder;
   std::vector<fs::path> found;
-  for (const fs::path& file : list(folder)) {
+  std::vector<fs::path> files = list(folder);
+  std::stable_partition(files.begin(), files.end(), [](const fs::path& file) {
+    return file.stem() == "student_code";  // first, since the number of files is limited
+  });
+  for (const fs::path& file : files) {
     std::error_code error;
     if (is_hidden(file)) continue;
     add_file(file, rules, submission);
