@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "grader/app/compile_blame.h"
+#include "grader/app/compile_warnings.h"
 #include "grader/app/handle_references.h"
 #include "grader/app/shrinking.h"
 #include "grader/cases/case_list.h"
@@ -133,6 +134,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
     told.push_back(&c.judgement);
   tell_apart(told);
   note_handle_references(candidate.submission, judge.functions, judged);
+  add_compiler_warnings(candidate.submission, candidate.build, judge, judged);
   if (conventions.size() == 1 && !has_failure(judged)) {
     judged.notes.push_back("found: " + *conventions.begin());
   }

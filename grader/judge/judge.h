@@ -44,6 +44,10 @@ struct ExerciseJudge {
   /// Adds to the finding of a fault a picture of what the code had done until then; none if
   /// there is nothing to show. @throws WireError if the interrupted state is malformed
   void (*show_stop)(const JudgeTask& task, Finding& finding) = nullptr;
+
+  /// Which one of `functions` a case calls, where there are several. @throws WireError if its
+  /// input is malformed
+  std::string (*called_by)(const Case& asked) = nullptr;
 };
 
 /// Makes sure of a claim that all steps are done. Call it when no step is wrong.

@@ -185,6 +185,11 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
   require_all_steps(task.outcome, input.parameters.size());
 }
 
+std::string called_by(const Case& asked) {
+  return std::string("BezierPatch::") +
+         function_name(from_wire<PatchInput>(asked.input).function);
+}
+
 }  // namespace
 
 ExerciseJudge bezier_patch_judge(const ExerciseRubric& rubric) {
@@ -192,7 +197,9 @@ ExerciseJudge bezier_patch_judge(const ExerciseRubric& rubric) {
   return {{"BezierPatch::evaluateStep", "BezierPatch::evaluate1D", "BezierPatch::evaluate"},
           {},
           judge_steps,
-          known_misconceptions()};
+          known_misconceptions(),
+          nullptr,
+          called_by};
 }
 
 }  // namespace meshgrade
