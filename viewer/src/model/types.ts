@@ -159,6 +159,8 @@ export interface ClassRow {
   points: number;
   extra_points: number;
   exercises: ExercisePoints[];
+  late_deduction: number;
+  late_note: string;
 }
 export interface ExercisePoints {
   name: string;
