@@ -78,8 +78,8 @@ bool read_text(std::string bytes, const std::string& name, Submission& submissio
     return true;
   }
   submission.notes.push_back(name +
-                             " is saved as UTF-16 and read as UTF-8 "
-                             "taken as UTF-8; your own compiler will not read it either: save it as UTF-8");
+                             " is saved as UTF-16 and read as UTF-8 here; your own compiler "
+                             "will not read it: save it as UTF-8");
   text = utf16_to_utf8(bytes, encoding);
   return true;
 }
