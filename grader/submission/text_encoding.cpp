@@ -27,9 +27,12 @@ TextEncoding guess(const std::string& bytes) {
     first_zero += bytes[2 * i] == '\0' ? 1 : 0;
     second_zero += bytes[2 * i + 1] == '\0' ? 1 : 0;
   }
-  const auto nearly_all = [&](std::size_t count) { return 2 * count > units; };
-  if (nearly_all(second_zero) && first_zero == 0) return TextEncoding::kUtf16Le;
-  if (nearly_all(first_zero) && second_zero == 0) return TextEncoding::kUtf16Be;
+  // Half of a rare character, such as a smiley, may have a zero on the other side.
+  const auto most = [&](std::size_t zeros, std::size_t others) {
+    return 2 * zeros > units && 4 * others < zeros;
+  };
+  if (most(second_zero, first_zero)) return TextEncoding::kUtf16Le;
+  if (most(first_zero, second_zero)) return TextEncoding::kUtf16Be;
   return TextEncoding::kBytes;
 }
 

@@ -54,8 +54,8 @@ TEST(ClassSummary, LateWorkIsTakenOffVisibly) {
   Roster roster = read_roster(graded.made.submissions(), {});
   roster.hand_ins[0].submitted_at = "2026-03-02 13:00:00Z";
   roster.hand_ins[1].submitted_at = "2026-03-02 13:00:00Z";
-  const auto rule = parse_late_rule(
-      "[late]\ndue = 2026-03-01T12:00:00Z\nper_day = \"10 %\"\n", "a.toml");
+  const auto rule =
+      parse_late_rule("[late]\ndue = 2026-03-01T12:00:00Z\nper_day = \"10 %\"\n", "a.toml");
   const ClassResults results =
       collect_results(roster, one_exercise(), {}, graded.made.store(), rule);
   EXPECT_EQ(results.rows[0].points, 8.0);
@@ -73,7 +73,8 @@ TEST(ClassSummary, LateWorkIsTakenOffVisibly) {
 }
 
 TEST(ClassSummary, ResultsOfAnEarlierVersionAreRead) {
-  nlohmann::json old = nlohmann::json::parse(to_json(GradedClass({{"ann", "10"}}).results));
+  const GradedClass graded(MadeUpClass::Texts{{"ann", "10"}});
+  nlohmann::json old = nlohmann::json::parse(to_json(graded.results));
   old["rows"][0].erase("late_deduction");
   old["rows"][0].erase("late_note");
   EXPECT_EQ(read_class_results(old.dump()).rows.at(0).points_before_late(), 10.0);

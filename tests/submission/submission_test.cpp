@@ -91,7 +91,7 @@ TEST_F(FindSubmission, Utf16ThatIsCutOffIsNoDisaster) {
 }
 
 TEST_F(FindSubmission, OtherBytesStayAsTheyAre) {
-  for (const std::string text :
+  for (const std::string& text :
        {std::string("int \xE4;\n"), std::string("\xEF\xBB\xBFint a;\n"), std::string(),
         std::string("a"), std::string("int a\0b;\n", 9)}) {
     add("a.cpp", text);
