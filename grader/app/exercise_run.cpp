@@ -5,6 +5,7 @@
 #include <string>
 
 #include "grader/app/compile_blame.h"
+#include "grader/app/compile_warnings.h"
 #include "grader/app/handle_references.h"
 #include "grader/app/shrinking.h"
 #include "grader/cases/case_list.h"
@@ -166,6 +167,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
   tell_apart(told);
   note_right_answers(judged);
   note_handle_references(candidate.submission, judge.functions, judged);
+  add_compiler_warnings(candidate.submission, candidate.build, judge, judged);
   if (conventions.size() == 1 && !has_failure(judged)) {
     judged.notes.push_back("found: " + *conventions.begin());
   }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "grader/assignment/late_rule.h"
 #include "grader/assignment/toml_section.h"
 #include "grader/base/errors.h"
 
@@ -135,6 +136,7 @@ Assignment read_table(const toml::table& table, const std::string& name) {
   }
   assignment.limits = read_limits(root.section("limits"));
   assignment.submission = read_submission(root.section("submission"));
+  root.section("late");  // read by read_late_rule()
   if (table.contains("hidden")) assignment.hidden = read_hidden(root.section("hidden"));
   for (TomlSection& exercise : root.sections("exercise")) {
     assignment.exercises.push_back(read_exercise(exercise, assignment));
@@ -175,6 +177,7 @@ const ExerciseRubric* Assignment::find(const std::string& exercise) const {
 }
 
 Assignment parse_assignment(const std::string& text, const std::string& name) {
+  parse_late_rule(text, name);  // its mistakes, too, are told before any work
   try {
     return read_table(toml::parse(text, name), name);
   } catch (const toml::parse_error& error) {

@@ -3,14 +3,18 @@
 // Reads tables of TOML files that people write: what is wrong is told with file, line and key.
 
 #include <toml++/toml.h>
+
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "grader/assignment/assignment.h"
+#include "grader/assignment/late_rule.h"
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
 
@@ -68,6 +72,40 @@ class TomlSection {
       words.push_back("\"" + name + "\"");
     }
     fail(*node, full(key) + " must be one of " + join(words, ", "));
+  }
+
+  /// A number of points, or a share of the full points in per cent: 5 or "10 %".
+  PointsOrShare require_points_or_share(const std::string& key) {
+    known_.insert(key);
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) fail(table_, "the key " + full(key) + " is missing");
+    static const std::regex per_cent("([0-9]{1,3}(?:[.][0-9]{1,6})?) ?%");
+    std::smatch found;
+    const std::string text = node->value<std::string>().value_or("");
+    const bool is_share = std::regex_match(text, found, per_cent);
+    const double value =
+        is_share ? std::stod(found[1]) / 100.0 : node->value<double>().value_or(-1.0);
+    const bool is_number = is_share || node->is_number();
+    if (!is_number || !(value >= 0.0) || !std::isfinite(value) || (is_share && value > 1.0)) {
+      fail(*node, full(key) +
+                      " must be a number of points, such as 5, or a part of the full "
+                      "points, such as \"10 %\"");
+    }
+    return {value, is_share};
+  }
+
+  /// A moment with its zone.
+  toml::date_time require_moment(const std::string& key) {
+    known_.insert(key);
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) fail(table_, "the key " + full(key) + " is missing");
+    const auto moment = node->value<toml::date_time>();
+    if (!moment || !moment->offset) {
+      fail(*node, full(key) +
+                      " must be a time with its zone and without quotes, such as "
+                      "2026-03-01T23:59:00-08:00");
+    }
+    return *moment;
   }
 
   bool has(const std::string& key) const { return table_.contains(key); }

@@ -283,6 +283,8 @@ class Builder {
       if (!rests_[i].learn_from(result.output)) break;
       result = compile_rest(i);
     }
+    if (result.ok()) file.warnings = warnings_in(result.output);
+    file.messages = without_warnings(file.messages);
   }
 
   /// Compiles what is left of a source.
@@ -342,7 +344,7 @@ class Builder {
     bool found = false;
     for (std::size_t i = 0; i < rests_.size(); ++i) {
       if (!build_.files[i].ok || !rests_[i].learn_from(messages)) continue;
-      build_.files[i].messages += messages;
+      build_.files[i].messages = messages;
       if (!compile_rest(i).ok()) return false;
       found = true;
     }

@@ -215,7 +215,8 @@ Report make_report(const Assignment& assignment, const Submission& submission,
   report.sandbox = build.sandbox;
   for (const BuiltFile& file : build.files) {
     const bool whole = file.ok && file.left_out.empty();
-    report.files.push_back({file.name, whole, file.messages, file.linked});
+    // Warnings stand with the failures of their functions.
+    report.files.push_back({file.name, whole, whole ? "" : file.messages, file.linked});
     report.notes.insert(report.notes.end(), file.notes.begin(), file.notes.end());
     for (const LeftOut& left : file.left_out) {
       if (left.not_judged) continue;  // told among the file's own notes

@@ -10,6 +10,7 @@
 #include "grader/base/text.h"
 #include "grader/submission/archive.h"
 #include "grader/submission/dialect.h"
+#include "grader/submission/text_encoding.h"
 
 namespace meshgrade {
 namespace {
@@ -100,6 +101,27 @@ fs::path enter_course_project(const fs::path& folder) {
   return folder;
 }
 
+/// As compilers read it, or a note why it is left out.
+bool read_text(std::string bytes, const std::string& name, Submission& submission,
+               std::string& text) {
+  const TextEncoding encoding = encoding_of(bytes);
+  if (encoding == TextEncoding::kUtf32) {
+    submission.notes.push_back(name +
+                               " is left out: it is saved as UTF-32, which no compiler "
+                               "reads; save it as UTF-8");
+    return false;
+  }
+  if (encoding == TextEncoding::kBytes) {
+    text = std::move(bytes);
+    return true;
+  }
+  submission.notes.push_back(name +
+                             " is saved as UTF-16 and read as UTF-8 here; your own compiler "
+                             "will not read it: save it as UTF-8");
+  text = utf16_to_utf8(bytes, encoding);
+  return true;
+}
+
 /// The file's text, or a note why it is left out.
 bool read_file(const fs::path& file, const SubmissionRules& rules, Submission& submission,
                std::string& text) {
@@ -121,8 +143,7 @@ bool read_file(const fs::path& file, const SubmissionRules& rules, Submission& s
     submission.notes.push_back(name + " is left out: it cannot be read");
     return false;
   }
-  text = bytes.str();
-  return true;
+  return read_text(bytes.str(), name, submission, text);
 }
 
 /// Names go to the compiler and into messages: only plain ones are taken.

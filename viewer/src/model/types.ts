@@ -163,6 +163,8 @@ export interface ClassRow {
   points: number;
   extra_points: number;
   exercises: ExercisePoints[];
+  late_deduction: number;
+  late_note: string;
 }
 export interface ExercisePoints {
   name: string;
