@@ -28,9 +28,7 @@ std::string renamed(const std::string& text) {
 class Similarity : public testing::Test {
  protected:
   /// Debian 13 does not have the tool.
-  static bool has_tool() {
-    return std::system("command -v sim_c++ >/dev/null") == 0;
-  }
+  static bool has_tool() { return std::system("command -v sim_c++ >/dev/null") == 0; }
 
   std::vector<SimilarPair> compare() {
     SimilarityOptions options;
