@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # believed: find_package(OpenSubdiv CONFIG) works where libosd-dev is installed.
 # happens: it stops with an error, for the package's targets name a static library that is not shipped.
-# seen with: libosd-dev 3.5.0, Debian 12
+# seen with: libosd-dev 3.5.0, Debian 12, and 3.6.0, Debian 13
 # here: cmake/FindOpenSubdivCpu.cmake looks for the headers and the shared library itself
 set -uo pipefail
 folder=$(mktemp -d)
