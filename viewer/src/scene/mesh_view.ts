@@ -47,6 +47,8 @@ export interface ViewOptions {
 export interface ViewSetup {
   /** Smooth edges whatever they cost: for a picture that is drawn once. */
   fine?: boolean;
+  /** Which axis is up; y if not said. */
+  upright?: 'y' | 'z';
 }
 
 /** More arcs and callouts than this hide the mesh; the lists beside it name all. */
@@ -117,7 +119,7 @@ export class MeshView {
     this.labelCanvas.setAttribute('aria-hidden', 'true');
     host.replaceChildren(this.canvas, this.labelCanvas);
     this.colors = palette(host);
-    this.eye = new Viewpoint(this.canvas);
+    this.eye = new Viewpoint(this.canvas, setup.upright);
     this.eye.onMove = () => this.draw();
     this.eye.onDrag = (on) => this.drag(on);
     this.scene.add(this.content, this.overlay, new THREE.HemisphereLight(0xffffff, 0x9a9a9a, 1.9), this.eye.camera);
@@ -246,6 +248,17 @@ export class MeshView {
     this.eye.camera.updateMatrixWorld();
     drawLabels(this.labelCanvas, this.dragging && this.labels.length > 200 ? [] : this.labels,
       this.eye.camera, this.colors);
+  }
+
+  /** What is seen, with its names, as one picture. */
+  snapshot(): HTMLCanvasElement {
+    this.renderNow();
+    const both = document.createElement('canvas');
+    both.width = this.canvas.width;
+    both.height = this.canvas.height;
+    const context = both.getContext('2d')!;
+    for (const layer of [this.canvas, this.labelCanvas]) context.drawImage(layer, 0, 0, both.width, both.height);
+    return both;
   }
 
   private listenToPicks(): void {
