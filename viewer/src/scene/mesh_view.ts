@@ -119,6 +119,7 @@ export class MeshView {
     this.labelCanvas.setAttribute('aria-hidden', 'true');
     host.replaceChildren(this.canvas, this.labelCanvas);
     this.colors = palette(host);
+    this.paintGround();
     this.eye = new Viewpoint(this.canvas, setup.upright);
     this.eye.onMove = () => this.draw();
     this.eye.onDrag = (on) => this.drag(on);
@@ -144,9 +145,15 @@ export class MeshView {
 
   private readonly restyle = (): void => {
     this.colors = palette(this.host);
+    this.paintGround();
     this.rebuild();
     this.onRestyle();
   };
+
+  /** Also before there is a mesh: else the place for it is black. */
+  private paintGround(): void {
+    if (this.colors.ground !== '') this.scene.background = new THREE.Color(this.colors.ground);
+  }
 
   /** Shows a mesh. The camera stays where it is unless `fit` asks for the whole mesh. */
   show(mesh: Mesh, marks: Marks, fit: boolean, normals: Float32Array | null = null): void {
@@ -290,7 +297,6 @@ export class MeshView {
     if (!this.mesh || !this.surface) return;
     clear(this.content);
     this.holeLabels = [];
-    this.scene.background = new THREE.Color(this.colors.ground);
     const corners = new THREE.BufferAttribute(this.surface.positions, 3);
     if (!this.options.wireframe) this.addSurface(this.surface, corners);
     if (this.options.edges) this.addLines(corners, this.colors.line, linesOf(this.mesh));
