@@ -132,6 +132,8 @@ Grading grading_of(const Assignment& assignment, const BatchCommandOptions& opti
       .add(read_whole_file(or_standard_assignment(options.assignment)))
       .add(join(options.exercises, ","))
       .add(assignment.hidden ? std::to_string(assignment.hidden->seed.value_or(0)) : "");
+  for (const OwnMesh& mesh : assignment.own_meshes())
+    identity.add(mesh.is_there ? read_whole_file(mesh.file) : "");
   grading.identity = identity.hex();
   return grading;
 }

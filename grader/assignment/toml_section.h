@@ -109,6 +109,36 @@ class TomlSection {
   }
 
   bool has(const std::string& key) const { return table_.contains(key); }
+  bool is_text(const std::string& key) const {
+    const toml::node* node = table_.get(key);
+    return node != nullptr && node->is_string();
+  }
+
+  /// [[0, 1], [4, 2]]: at least one pair of whole numbers, none below 0.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> require_pairs(const std::string& key) {
+    known_.insert(key);
+    const toml::node* node = table_.get(key);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    const toml::array* list = node == nullptr ? nullptr : node->as_array();
+    const auto number = [](const toml::node& entry) {
+      const auto value = entry.value_exact<std::int64_t>();
+      return value && *value >= 0 && *value < 1'000'000'000 ? *value : -1;
+    };
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+      const toml::array* pair = (*list)[i].as_array();
+      if (pair == nullptr || pair->size() != 2 || number((*pair)[0]) < 0 ||
+          number((*pair)[1]) < 0) {
+        fail((*list)[i],
+             full(key) + " must be a list of pairs of vertices, as [[0, 1], [4, 2]]");
+      }
+      pairs.emplace_back(number((*pair)[0]), number((*pair)[1]));
+    }
+    if (pairs.empty()) {
+      fail(node == nullptr ? table_ : *node,
+           full(key) + " must be a list of pairs of vertices, as [[0, 1], [4, 2]]");
+    }
+    return pairs;
+  }
 
   std::vector<std::string> get_strings(const std::string& key) {
     known_.insert(key);

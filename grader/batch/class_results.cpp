@@ -74,8 +74,7 @@ ClassResults collect_results(const Roster& roster, const Assignment& assignment,
                                                        rubric.name) != exercises.end();
     if (!wanted) continue;
     results.exercises.push_back(
-        {rubric.name, "", 0.0, rubric.points(), 0.0, rubric.extra_points(),
-         rubric.title});
+        {rubric.name, "", 0.0, rubric.points(), 0.0, rubric.extra_points(), rubric.title});
     results.max_points += rubric.points();
     results.max_extra_points += rubric.extra_points();
   }

@@ -60,7 +60,7 @@ TEST_F(Screenshot, ACrashGivesThePictureOfTheMeshBeforeAndOne) {
   const Said said = shoot(wrong("edge_flip/null_pointer"),
                           {"--screenshot", picture("a.svg"), "--steps", "flip e4"});
   EXPECT_EQ(said.status, 1) << said.output;
-  EXPECT_THAT(said.output, AllOf(HasSubstr("flip e4: crashed: crash, came the program crashed"),
+  EXPECT_THAT(said.output, AllOf(HasSubstr("flip e4: crashed: crash, yours the program crashed"),
                                  HasSubstr("The picture shows the mesh before flip e4")));
   EXPECT_THAT(text_of("a.svg"), HasSubstr("8 vertices, 18 edges, 12 faces</title>"));
 }
