@@ -83,7 +83,7 @@ TEST_F(Editor, AWrongResultStandsAtItsFunction) {
 TEST_F(Editor, ACrashStandsAtItsOwnLine) {
   const std::string folder = wrong("edge_flip/throws");
   const fs::path file = fs::path(folder) / "edge_flip.cpp";
-  const std::size_t line = line_with(file, "throw ");
+  const std::size_t line = line_with(file, ".at(");
   const std::string text = split_lines(read_whole_file(file))[line - 1];
   EXPECT_THAT(messages(folder, "edge_flip")[0],
               StartsWith(file.string() + ":" + std::to_string(line) + ":" +
