@@ -57,10 +57,10 @@ TEST_F(OwnMeshes, EveryEdgeIsTriedInBothWaysThatItCanBeAnchored) {
 }
 
 TEST_F(OwnMeshes, NamedEdgesAreThoseOfTheFile) {
-  const std::vector<Case> made = cases("edge_flip", "file = \"two.obj\"\nedges = [[3, 2]]");
+  const std::vector<Case> made = cases("edge_flip", "file = \"two.obj\"\nedges = [[2, 1]]");
   ASSERT_EQ(made.size(), 2U);
   const auto input = from_wire<OperationsInput>(made[0].input);
-  // The first vertex of the file belongs to no face: the mesh begins with the second.
+  // The first vertex of the file belongs to no face: it is left out and not counted.
   EXPECT_EQ(input.operations.at(0).a, 1U);
   EXPECT_EQ(input.operations.at(0).b, 2U);
   EXPECT_EQ(input.mesh.positions.size(), 4U);
@@ -92,7 +92,7 @@ TEST_F(OwnMeshes, WhatIsWrongIsToldWithItsLine) {
   told("edge_flip", "file = \"no_surface.obj\"", "is no surface");
   told("edge_flip", "file = \"two.obj\"\nedges = [[1, 4]]",
        "has no edge between its vertices 1 and 4");
-  told("edge_flip", "file = \"two.obj\"\nedges = [[0, 1]]", "has no edge");
+  told("edge_flip", "file = \"two.obj\"\nedges = [[0, 3]]", "has no edge");
   told("edge_flip", "file = \"two.obj\"\nlevels = 2", "has no use for the key levels");
   told("loop_subdivision", "file = \"two.obj\"\nedges = \"every\"", "has no use for the key");
   told("bezier_curve", "file = \"two.obj\"", "has no use for a mesh");
