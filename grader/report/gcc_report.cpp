@@ -142,7 +142,7 @@ class GccReport {
         return place_on(*source, static_cast<std::size_t>(inner.line));
     }
     for (const std::string& function : functions_of(exercise, c)) {
-      if (const std::optional<Place> place = place_of_function(function)) return place;
+      if (std::optional<Place> place = place_of_function(function)) return place;
     }
     return {};
   }

@@ -154,7 +154,7 @@ class GradebookFilling {
     for (std::size_t j = who.id + 1; row == nullptr && j < who.section; ++j) {
       if (header[j].text.rfind("SIS", 0) == 0) row = rows_.find(text_at(record, j));
     }
-    const std::string before = text_at(record, column);
+    std::string before = text_at(record, column);
     if (is_excused(before)) {
       exported_.notes.push_back((row == nullptr ? text_at(record, who.id) : row->key) +
                                 " is excused in Canvas (" + before + "): left as it is");
