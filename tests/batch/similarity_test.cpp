@@ -66,27 +66,6 @@ TEST_F(Similarity, TheSkeletonAloneIsNothingInCommon) {
   EXPECT_THAT(compare(), testing::IsEmpty());
 }
 
-TEST_F(Similarity, FilesOfTheCourseAreNobodysWork) {
-  const std::string normal = read_whole_file(kSource + "/reference/vertex_normal.cpp");
-  const std::string header =
-      "#include \"halfEdgeMesh.h\"\nusing namespace std;\nnamespace CGL {\nclass MeshResampler "
-      "{\n"
-      "public:\n  MeshResampler(){};\n  ~MeshResampler(){}\n"
-      "  void upsample(HalfedgeMesh& mesh);\n};\n}\n";
-  for (const char* who : {"ann", "bob"}) {
-    const auto src = folder_.path() / who / "src";
-    write_file(src / "meshEdit.cpp", "#include \"meshEdit.h\"\n" + normal);
-    write_file(src / "collada.h", normal);
-    write_file(src / "student_code.h", header);
-    write_file(src / "student_code.cpp",
-               std::string("#include \"student_code.h\"\nnamespace CGL {\n") +
-                   (*who == 'a' ? "double first(double x) { return x * x + 1.0; }\n"
-                                : "bool second(int n) { while (n > 4) n /= 2; return !n; }\n") +
-                   "}\n");
-  }
-  EXPECT_THAT(compare(), testing::IsEmpty());
-}
-
 TEST_F(Similarity, SkeletonLinesAreTakenOutWhateverTheirSpace) {
   Submission handed_out;
   handed_out.sources = {{"a.cpp", "int given() {\n  return 1;\n}\n"}};
