@@ -40,8 +40,8 @@ struct Group {
   double points = 0.0;
   bool extra_credit = false;  ///< points on top, not needed for a full score
   Partial partial = Partial::kNone;
-  std::string needs;          ///< a group that must earn something before this one counts
-  std::string place;          ///< "assignment.toml:42", for messages
+  std::string needs;  ///< a group that must earn something before this one counts
+  std::string place;  ///< "assignment.toml:42", for messages
   std::vector<OwnMesh> meshes = {};
 };
 

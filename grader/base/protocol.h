@@ -59,7 +59,7 @@ enum class Ending : std::uint32_t {
   kSkipped = 9,        ///< not run: too many cases before it ran out of time
   kTooManyFiles = 10,  ///< the most files that may be open were open
   kTooManyProcesses = 11,  ///< more processes than are allowed
-  kLibraryCheck = 12,      ///< the standard library refused a call; `subject` says which and why
+  kLibraryCheck = 12,  ///< the standard library refused a call; `subject` says which and why
 };
 constexpr std::uint32_t kLastEnding = static_cast<std::uint32_t>(Ending::kLibraryCheck);
 

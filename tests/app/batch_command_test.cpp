@@ -55,9 +55,9 @@ TEST_F(BatchCommand, ListMarksWhoIsLate) {
   const std::string known = batch({"--list"}).output;
   EXPECT_THAT(known, HasSubstr("files edge_flip.cpp\n    at    (late)\n"));
   const std::string file = (scratch_.path() / "late.toml").string();
-  write_file(file, read_whole_file(std::string(MESHGRADE_SOURCE_DIR) +
-                                   "/grader/assignment.toml") +
-                       "\n[late]\ndue = 2026-03-01T12:00:00Z\nper_day = 5\n");
+  write_file(file,
+             read_whole_file(std::string(MESHGRADE_SOURCE_DIR) + "/grader/assignment.toml") +
+                 "\n[late]\ndue = 2026-03-01T12:00:00Z\nper_day = 5\n");
   const std::string ruled = batch({"--list", "--assignment", file}).output;
   EXPECT_THAT(ruled, HasSubstr("(late): late by the platform, which tells no time"));
   EXPECT_THAT(ruled, HasSubstr("at    no time is known: nothing is taken off"));
