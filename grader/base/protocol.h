@@ -23,11 +23,10 @@ struct Task {
   std::uint64_t step_budget = 0;  ///< uses of handles
   std::uint32_t cpu_ms = 0;       ///< processor time
   std::uint32_t wall_ms = 0;      ///< time on the clock
-  bool fresh = false;             ///< begins a process of its own
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(exercise, input, step_budget, cpu_ms, wall_ms, fresh);
+    wire(exercise, input, step_budget, cpu_ms, wall_ms);
   }
 };
 

@@ -53,8 +53,8 @@ TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
   list.result_bytes = limits.result_mb * kMegabyte;
   list.output_bytes = limits.output_mb * kMegabyte;
   for (const Case* c : cases) {
-    list.tasks.push_back({c->exercise, c->input, c->step_budget, limits.case_cpu_ms,
-                          limits.case_wall_ms, c->fresh});
+    list.tasks.push_back(
+        {c->exercise, c->input, c->step_budget, limits.case_cpu_ms, limits.case_wall_ms});
   }
   return list;
 }
@@ -212,10 +212,9 @@ ProcessResult run_worker(const Build& build, const fs::path& folder, const Limit
   return run_confined(build.sandbox, std::move(command), worker_bounds(build, limits));
 }
 
-}  // namespace
-
-std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
-                               const Limits& limits, Company company) {
+std::vector<Outcome> run_in_one_worker(const Build& build,
+                                       const std::vector<const Case*>& cases,
+                                       const Limits& limits, Company company) {
   const FileDescriptor tasks = make_task_file(cases, limits, company);
   const FileDescriptor results = make_scratch_file();
   const FileDescriptor output = make_scratch_file();
@@ -237,6 +236,29 @@ std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*
     if (!task.ended && worker.stopped()) for_missing.ending = Ending::kSkipped;
   }
   add_stacks(build, read, outcomes);
+  return outcomes;
+}
+
+}  // namespace
+
+std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
+                               const Limits& limits, Company company) {
+  std::vector<const Case*> together;
+  for (const Case* c : cases) {
+    if (!c->fresh) together.push_back(c);
+  }
+  std::vector<Outcome> outcomes;
+  if (!together.empty()) outcomes = run_in_one_worker(build, together, limits, company);
+  const bool given_up =
+      std::any_of(outcomes.begin(), outcomes.end(),
+                  [](const Outcome& outcome) { return outcome.ending == Ending::kSkipped; });
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!cases[i]->fresh) continue;
+    Outcome outcome;
+    outcome.ending = Ending::kSkipped;
+    if (!given_up) outcome = run_in_one_worker(build, {cases[i]}, limits, company).at(0);
+    outcomes.insert(outcomes.begin() + static_cast<std::ptrdiff_t>(i), std::move(outcome));
+  }
   return outcomes;
 }
 

@@ -266,8 +266,7 @@ void run_tasks(const TaskList& list, SharedState& shared) {
   limit_files(list.output_bytes);
   do {
     run_task(list.tasks[shared.tasks_done]);
-  } while (!list.alone && shared.tasks_done < list.tasks.size() &&
-           !list.tasks[shared.tasks_done].fresh);
+  } while (!list.alone && shared.tasks_done < list.tasks.size());
   ::_exit(kTaskRecordedStatus);
 }
 
