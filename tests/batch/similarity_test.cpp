@@ -66,6 +66,31 @@ TEST_F(Similarity, TheSkeletonAloneIsNothingInCommon) {
   EXPECT_THAT(compare(), testing::IsEmpty());
 }
 
+TEST_F(Similarity, FilesOfTheCourseChangeNothing) {
+  if (!has_tool()) GTEST_SKIP() << "sim_c++ is not installed";
+  for (const char* who : {"ann", "bob"}) {
+    write_file(folder_.path() / who / "src" / "student_code.cpp",
+               std::string("#include \"student_code.h\"\nnamespace CGL {\n") +
+                   (*who == 'a' ? "double first(double x) { return x * x + 1.0; }\n"
+                                : "bool second(int n) { while (n > 4) n /= 2; return !n; }\n") +
+                   "}\n");
+  }
+  const auto found = [&] {
+    std::vector<std::pair<int, int>> shares;
+    for (const SimilarPair& pair : compare())
+      shares.emplace_back(pair.of_first, pair.of_second);
+    return shares;
+  };
+  const auto without = found();
+  const std::string program = read_whole_file(kSource + "/grader/base/text.cpp");
+  for (const char* who : {"ann", "bob"}) {
+    const auto src = folder_.path() / who / "src";
+    write_file(src / "meshEdit.cpp", "#include \"meshEdit.h\"\n" + program);
+    write_file(src / "collada.h", program);
+  }
+  EXPECT_EQ(found(), without);
+}
+
 TEST_F(Similarity, SkeletonLinesAreTakenOutWhateverTheirSpace) {
   Submission handed_out;
   handed_out.sources = {{"a.cpp", "int given() {\n  return 1;\n}\n"}};
