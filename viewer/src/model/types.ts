@@ -87,6 +87,8 @@ export interface Group {
   passed: number;
   judged: number;
   cases: number;
+  /** Why it earns nothing, though cases passed. */
+  why?: string;
 }
 export interface Exercise {
   name: string;
