@@ -88,10 +88,13 @@ bool can_be_smaller(const JudgedCase& judged) {
 void make_failures_smaller(const Assignment& assignment, const Home& home,
                            const Candidate& candidate, JudgedExercise& exercise) {
   std::size_t left = kMostShrunk;
+  std::vector<Case> all;
   for (JudgedCase& judged : exercise.cases) {
     if (left == 0) return;
     if (!can_be_smaller(judged)) continue;
-    auto smaller = shrink(assignment, home, candidate, *exercise.rubric, judged);
+    // Those of the whole exercise, also where only one of them is judged.
+    if (all.empty()) all = make_cases(assignment, *exercise.rubric, home.meshes);
+    auto smaller = shrink(assignment, home, candidate, *exercise.rubric, all, judged);
     if (!smaller) continue;
     judged = std::move(*smaller);
     --left;

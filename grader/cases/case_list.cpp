@@ -79,7 +79,9 @@ void add_hidden(std::vector<Case> drawn, std::vector<Case>& made) {
 }  // namespace
 
 PolygonMesh CaseMaker::mesh(const std::string& file) const {
-  return in_build_order(read_mesh(meshes_ / file).mesh);
+  const auto known = read_.find(file);
+  if (known != read_.end()) return known->second;
+  return read_[file] = in_build_order(read_mesh(meshes_ / file).mesh);
 }
 
 std::vector<ControlNet> CaseMaker::patches(const std::string& file) const {
