@@ -18,8 +18,8 @@ FileDescriptor make_task_file(const std::vector<const Case*>& cases, const Limit
                               Company company);
 
 /// Runs all cases in one worker, one after the other; a `fresh` one in a worker of its own. A
-/// case that kills the worker loses only itself. What the student's code does is never the grader's fault: the result has one
-/// Outcome for each case, whatever happens.
+/// case that kills the worker loses only itself. What the student's code does is never the
+/// grader's fault: the result has one Outcome for each case, whatever happens.
 /// @throws GraderError if the worker cannot be started
 std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
                                const Limits& limits, Company company);
