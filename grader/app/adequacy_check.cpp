@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -30,7 +31,8 @@ Assignment strict_assignment() {
   return assignment;
 }
 
-std::vector<Original> find_originals(const Assignment& assignment) {
+std::vector<Original> find_originals(const Assignment& assignment,
+                                     const std::vector<std::string>& wanted) {
   const std::filesystem::path source = source_folder();
   std::vector<Original> originals{
       {"reference", find_submission(source / "reference", assignment.submission)}};
@@ -38,6 +40,10 @@ std::vector<Original> find_originals(const Assignment& assignment) {
     originals.push_back(
         {style, find_submission(source / "tests" / "mutants" / style, assignment.submission)});
   }
+  std::erase_if(originals, [&](const Original& original) {
+    return !wanted.empty() &&
+           std::find(wanted.begin(), wanted.end(), original.name) == wanted.end();
+  });
   return originals;
 }
 
@@ -93,8 +99,8 @@ Adequacy measure_standard_adequacy(const AdequacyOptions& options,
   };
   const SurvivorList reviewed =
       read_survivor_list(source_folder() / "tests" / "mutants" / "survivors.toml");
-  return measure_adequacy(assignment, find_originals(assignment), reviewed, options,
-                          grade_quietly, progress);
+  return measure_adequacy(assignment, find_originals(assignment, options.styles), reviewed,
+                          options, grade_quietly, progress);
 }
 
 int check_adequacy(const AdequacyOptions& options, const std::string& page) {

@@ -27,6 +27,7 @@
 #include "grader/batch/batch.h"
 #include "grader/batch/class_results.h"
 #include "grader/batch/class_summary.h"
+#include "grader/batch/lateness.h"
 #include "grader/cluster/task_folder.h"
 #include "grader/exports/exports.h"
 #include "grader/report/html_report.h"
@@ -59,7 +60,16 @@ struct BatchCommandOptions {
   bool html = false;
 };
 
-void list_roster(const Roster& roster) {
+/// What is known of the time of a hand-in.
+std::string time_text(const HandIn& hand_in, const std::optional<LateRule>& rule) {
+  const Lateness lateness = lateness_of(hand_in, rule);
+  std::string text = printable(hand_in.submitted_at);
+  if (lateness.late) text += std::string(text.empty() ? "" : " ") + "(late)";
+  if (!lateness.note.empty()) text += (text.empty() ? "" : ": ") + lateness.note;
+  return text;
+}
+
+void list_roster(const Roster& roster, const std::optional<LateRule>& rule) {
   std::cout << "layout: " << roster.layout << "\n"
             << plural(roster.hand_ins.size(), "hand-in") << ":\n";
   for (const HandIn& hand_in : roster.hand_ins) {
@@ -73,10 +83,8 @@ void list_roster(const Roster& roster) {
       parts.push_back(part.name);
     std::cout << "  " << hand_in.key << "\n    for   " << printable(join(people, ", "))
               << "\n    files " << printable(join(parts, ", ")) << "\n";
-    if (!hand_in.submitted_at.empty()) {
-      std::cout << "    at    " << printable(hand_in.submitted_at)
-                << (hand_in.late ? " (late)" : "") << "\n";
-    }
+    const std::string time = time_text(hand_in, rule);
+    if (!time.empty()) std::cout << "    at    " << time << "\n";
   }
   if (roster.left_out.empty()) return;
   std::cout << "left out:\n";
@@ -124,6 +132,8 @@ Grading grading_of(const Assignment& assignment, const BatchCommandOptions& opti
       .add(read_whole_file(or_standard_assignment(options.assignment)))
       .add(join(options.exercises, ","))
       .add(assignment.hidden ? std::to_string(assignment.hidden->seed.value_or(0)) : "");
+  for (const OwnMesh& mesh : assignment.own_meshes())
+    identity.add(mesh.is_there ? read_whole_file(mesh.file) : "");
   grading.identity = identity.hex();
   return grading;
 }
@@ -259,7 +269,8 @@ int run(const BatchCommandOptions& options, const Assignment& assignment, const 
               << " graded once more after an error of the grader\n";
   }
   const ClassResults results =
-      collect_results(roster, assignment, options.exercises, folder.store());
+      collect_results(roster, assignment, options.exercises, folder.store(),
+                      read_late_rule(or_standard_assignment(options.assignment)));
   write_class_files(results, folder.path());
   if (options.html) write_class_pages(results, folder.path());
   return conclude(results, options, complete);
@@ -282,7 +293,7 @@ int batch(const BatchCommandOptions& options) {
   }
   const ClassSource source = open_class(options.submissions, options.roster);
   if (folder) return run(options, assignment, source.roster, *folder);
-  list_roster(source.roster);
+  list_roster(source.roster, read_late_rule(or_standard_assignment(options.assignment)));
   return 0;
 }
 

@@ -16,6 +16,7 @@
 #include "grader/app/sanitized_replay.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
+#include "grader/report/gcc_report.h"
 #include "grader/report/html_report.h"
 #include "grader/report/json_report.h"
 #include "grader/report/terminal_report.h"
@@ -23,7 +24,11 @@
 namespace meshgrade {
 namespace {
 
+constexpr const char* kForPeople = "text";
+constexpr const char* kForEditors = "gcc";
+
 struct CheckOptions : GradingOptions {
+  std::string format = kForPeople;
   std::string json;
   std::string figures;
   std::string html;
@@ -51,6 +56,17 @@ void check_files(const CheckOptions& options, const Submission& submission) {
   check_outputs(outputs, inputs);
 }
 
+std::string text_for_people(const Report& report, const CheckOptions& options) {
+  TerminalStyle style;
+  style.color = use_color(options.color);
+  style.verbose = options.verbose;
+  style.figures = options.figures;
+  style.again = [&](const std::string& case_id) {
+    return replay_command_line(case_id, options.submission, options.assignment);
+  };
+  return to_terminal(report, style);
+}
+
 int check(const CheckOptions& options) {
   const Assignment assignment = load_assignment(options.assignment);
   const Submission submission = find_submission(options.submission, assignment.submission);
@@ -68,14 +84,8 @@ int check(const CheckOptions& options) {
   remember_or_warn(options.submission, report);
   const std::size_t pictures =
       options.figures.empty() ? 0 : write_figures(report, options.figures);
-  TerminalStyle style;
-  style.color = use_color(options.color);
-  style.verbose = options.verbose;
-  style.figures = options.figures;
-  style.again = [&](const std::string& case_id) {
-    return replay_command_line(case_id, options.submission, options.assignment);
-  };
-  std::cout << to_terminal(report, style);
+  std::cout << (options.format == kForEditors ? to_gcc(report, submission, assignment)
+                                              : text_for_people(report, options));
   if (!options.figures.empty()) std::cout << figures_text(pictures, options.figures);
   std::cout << std::flush;
   if (!options.json.empty()) write_file_safely(options.json, to_json(report));
@@ -92,6 +102,12 @@ void add_check_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Grade one submission");
   add_grading_options(*command, *options);
+  command
+      ->add_option("--format", options->format,
+                   "What is printed: text, or gcc: a line for each exercise in the form of a "
+                   "compiler's messages, for editors")
+      ->check(CLI::IsMember({kForPeople, kForEditors}))
+      ->capture_default_str();
   add_output_option(*command, "--json", options->json, "Write the report to this file as JSON");
   command->add_option("--figures", options->figures,
                       "Draw what is wrong: SVG pictures in this folder, one for each case");
@@ -106,6 +122,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "  meshgrade check my_homework --json report.json\n"
       "  meshgrade check my_homework edge_split --figures pictures\n"
       "  meshgrade check my_homework --html report.html\n"
+      "  meshgrade check my_homework --format gcc\n"
       "Exit code: 0 all required points, 1 points lost, 2 bad usage or unreadable input,\n"
       "3 an error of the grader, 130 stopped by Ctrl-C, 143 by TERM.");
   command->callback([options, &exit_code] { exit_code = check(*options); });

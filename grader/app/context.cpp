@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "grader/base/errors.h"
+#include "grader/cases/own_meshes.h"
 #include "grader/judge/judge.h"
 #include "grader/sandbox/system_paths.h"
 
@@ -84,10 +85,17 @@ Assignment load_assignment(const std::string& file) {
   Assignment assignment = read_assignment(or_standard_assignment(file));
   for (const ExerciseRubric& rubric : assignment.exercises)
     find_exercise_judge(rubric);
+  check_own_meshes(assignment);
   return assignment;
 }
 
 void require_hidden_seed(const Assignment& assignment) {
+  for (const OwnMesh& mesh : assignment.own_meshes()) {
+    if (!mesh.is_there) {
+      throw UserError(mesh.place + ": there is no file " + mesh.file.string() +
+                      ", which the assignment's hidden cases need");
+    }
+  }
   if (!assignment.hidden || assignment.hidden->seed) return;
   throw UserError(assignment.hidden->seed_file.string() +
                   ": cannot be read; it holds the seed of the assignment's hidden cases");

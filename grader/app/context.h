@@ -25,12 +25,12 @@ std::filesystem::path standard_assignment();
 std::filesystem::path or_standard_assignment(const std::string& file);
 
 /// The file that was named, or the standard assignment, read. Its exercises and their options
-/// exist.
+/// exist, and its meshes suit them.
 /// @throws UserError that names the file, the line and the key
 Assignment load_assignment(const std::string& file);
 
 /// What counts must not be graded without the cases that it is to be graded by.
-/// @throws UserError if the assignment has hidden cases whose seed is not there
+/// @throws UserError if the assignment has hidden cases whose seed or mesh is not there
 void require_hidden_seed(const Assignment& assignment);
 
 }  // namespace meshgrade

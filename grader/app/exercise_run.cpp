@@ -5,6 +5,7 @@
 #include <string>
 
 #include "grader/app/compile_blame.h"
+#include "grader/app/compile_warnings.h"
 #include "grader/app/handle_references.h"
 #include "grader/app/right_callees.h"
 #include "grader/app/shrinking.h"
@@ -122,10 +123,13 @@ bool can_be_smaller(const JudgedCase& judged) {
 void make_failures_smaller(const Assignment& assignment, const Home& home,
                            const Candidate& candidate, JudgedExercise& exercise) {
   std::size_t left = kMostShrunk;
+  std::vector<Case> all;
   for (JudgedCase& judged : exercise.cases) {
     if (left == 0) return;
     if (!can_be_smaller(judged)) continue;
-    auto smaller = shrink(assignment, home, candidate, *exercise.rubric, judged);
+    // Those of the whole exercise, also where only one of them is judged.
+    if (all.empty()) all = make_cases(assignment, *exercise.rubric, home.meshes);
+    auto smaller = shrink(assignment, home, candidate, *exercise.rubric, all, judged);
     if (!smaller) continue;
     judged = std::move(*smaller);
     --left;
@@ -204,6 +208,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
   name_static_variable(candidate.submission, judge.functions, judged);
   note_right_answers(judged);
   note_handle_references(candidate.submission, judge.functions, judged);
+  add_compiler_warnings(candidate.submission, candidate.build, judge, judged);
   if (conventions.size() == 1 && !has_failure(judged)) {
     judged.notes.push_back("found: " + *conventions.begin());
   }

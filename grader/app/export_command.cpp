@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -28,7 +29,21 @@ struct ExportCommandOptions {
   std::optional<double> out_of;
   ExportOptions how;
   bool no_extra_credit = false;
+  bool feedback = false;
 };
+
+/// What each hand-in is told in short, where the gradebook has room for it.
+std::map<std::string, std::string> make_feedback(const ClassResults& results,
+                                                 const std::string& folder) {
+  std::map<std::string, std::string> feedback;
+  const ResultStore store = result_store(folder);
+  for (const ClassRow& row : results.rows) {
+    Result result = store.load(row.key);
+    if (result.report) result.report = student_view(std::move(*result.report));
+    feedback[row.key] = feedback_html(row, results, result.report ? &*result.report : nullptr);
+  }
+  return feedback;
+}
 
 void make_folder(const fs::path& folder) {
   std::error_code error;
@@ -89,6 +104,12 @@ void check_options(const ExportCommandOptions& options, bool for_gradebook) {
     throw UserError("--out-of: full points must be worth more than 0 there, and came " +
                     number_text(*options.out_of));
   }
+  if (options.feedback && options.format != "moodle") {
+    throw UserError(options.format + " takes no --feedback: it is for moodle");
+  }
+  if (!options.how.feedback_column.empty() && !options.feedback) {
+    throw UserError("--feedback-column says where, but --feedback is missing");
+  }
   if (for_gradebook) return;
   const std::pair<const char*, bool> given[] = {{"--gradebook", !options.gradebook.empty()},
                                                 {"--column", !options.how.column.empty()},
@@ -113,6 +134,7 @@ void run_export(ExportCommandOptions& options) {
   options.how.out_of = options.out_of.value_or(0.0);
   options.how.extra_credit = !options.no_extra_credit;
   options.how.time = time_of_export();
+  if (options.feedback) options.how.feedback = make_feedback(results, options.results);
   if (!options.gradebook.empty()) options.how.gradebook = read_whole_file(options.gradebook);
   if (of_class != nullptr) {
     export_class(*of_class, results, options);
@@ -156,11 +178,16 @@ void add_export_command(CLI::App& app, int& exit_code) {
                       "What full points are worth there: all points are scaled to it (canvas, "
                       "moodle)");
   command->add_flag("--no-extra-credit", options->no_extra_credit, "Leave out extra credit");
+  command->add_flag("--feedback", options->feedback,
+                    "Also write each student's report in short into the comments (moodle)");
+  command->add_option("--feedback-column", options->how.feedback_column,
+                      "What the column of the comments is called, if not \"Feedback "
+                      "comments\" (moodle)");
   command->footer(
       format_list() +
       "Examples:\n"
       "  meshgrade export results canvas --gradebook Grades.csv --column \"Homework 2\"\n"
-      "  meshgrade export results moodle --gradebook worksheet.csv -o upload.csv\n"
+      "  meshgrade export results moodle --gradebook worksheet.csv --feedback -o upload.csv\n"
       "  meshgrade export results gradescope\n"
       "Exit code: 0, or 2 for bad usage or a gradebook of another form.");
   command->callback([options, &exit_code] {

@@ -17,6 +17,7 @@ struct HandoutOptions {
 
 int handout(const HandoutOptions& options) {
   const std::filesystem::path assignment = or_standard_assignment(options.assignment);
+  load_assignment(options.assignment);  // what is wrong with it is told here, not to students
   write_handout(source_folder(), assignment, options.output);
   std::cout << options.output << ": the students' package, without the reference.\n"
             << "Try it as a student would: cd " << options.output

@@ -96,6 +96,7 @@ void ProgressStore::remember(const fs::path& submission, const Report& report) c
   }
   save(progress);
   write_file_safely(folder_ / "last", progress.submission.string() + "\n");
+  write_file_safely(folder_ / "home", source_folder().string() + "\n");
 }
 
 std::optional<fs::path> ProgressStore::last_submission() const {

@@ -39,7 +39,8 @@ class ProgressStore {
   /// @throws UserError if it cannot be written
   void save(const SubmissionProgress& progress) const;
 
-  /// Keeps what a check has found, and that this submission was the last one.
+  /// Keeps what a check has found, that this submission was the last one, and in `home` the
+  /// folder of Meshgrade: by it the students' CMakeLists.txt finds it from anywhere.
   /// @throws UserError if it cannot be written
   void remember(const std::filesystem::path& submission, const Report& report) const;
 

@@ -7,8 +7,8 @@
 #include "grader/app/context.h"
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
-#include "grader/view/deviation_scale.h"
 #include "grader/view/curve_svg.h"
+#include "grader/view/deviation_scale.h"
 #include "grader/view/picture.h"
 #include "grader/view/picture_file.h"
 
@@ -135,11 +135,12 @@ int take_curve(const StudentProgram& program, const std::vector<Point2>& points,
   const PictureRequest request = read_request(options);
   const CurveLook look = look_at_curve(program, points, options.t);
   say(look.told, "evaluateStep at t = " + number_text(options.t));
-  const auto levels = options.levels_shown < 0 ? points.size()
-                                               : static_cast<std::size_t>(options.levels_shown);
+  const auto levels =
+      options.levels_shown < 0 ? points.size() : static_cast<std::size_t>(options.levels_shown);
   const auto svg = [&] { return curve_svg(look, levels, request, printable(name)); };
-  std::cout << write_picture(options.out, {[&] { return svg_page(svg()); }, svg}, request).text()
-            << "\n";
+  std::cout
+      << write_picture(options.out, {[&] { return svg_page(svg()); }, svg}, request).text()
+      << "\n";
   return look.told.verdict == Verdict::kPassed ? 0 : 1;
 }
 
@@ -149,8 +150,9 @@ int take_surface(const StudentProgram& program, const std::vector<ControlNet>& n
   const PatchLook look = look_at_patches(program, nets, options.density);
   say(look.told, "evaluate");
   const auto svg = [&] { return patch_svg(look, request, name); };
-  std::cout << write_picture(options.out, {[&] { return svg_page(svg()); }, svg}, request).text()
-            << "\n";
+  std::cout
+      << write_picture(options.out, {[&] { return svg_page(svg()); }, svg}, request).text()
+      << "\n";
   return look.told.verdict == Verdict::kPassed ? 0 : 1;
 }
 

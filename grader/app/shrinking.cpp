@@ -17,12 +17,12 @@ constexpr std::size_t kMost = 1000;    ///< questions in all
 class Shrinker {
  public:
   Shrinker(const Assignment& assignment, const Home& home, const Candidate& candidate,
-           const ExerciseRubric& rubric)
+           const ExerciseRubric& rubric, const std::vector<Case>& all)
       : assignment_(assignment),
         home_(home),
         candidate_(candidate),
         rubric_(rubric),
-        asked_(make_cases(assignment, rubric, home.meshes)),
+        asked_(all),
         judge_(find_exercise_judge(rubric)) {}
 
   std::optional<JudgedCase> run(const JudgedCase& failed) {
@@ -84,7 +84,7 @@ class Shrinker {
   const Home& home_;
   const Candidate& candidate_;
   const ExerciseRubric& rubric_;
-  std::vector<Case> asked_;
+  const std::vector<Case>& asked_;
   ExerciseJudge judge_;
   Verdict verdict_ = Verdict::kFailed;
   std::size_t tried_ = 0;
@@ -94,8 +94,8 @@ class Shrinker {
 
 std::optional<JudgedCase> shrink(const Assignment& assignment, const Home& home,
                                  const Candidate& candidate, const ExerciseRubric& rubric,
-                                 const JudgedCase& failed) {
-  return Shrinker(assignment, home, candidate, rubric).run(failed);
+                                 const std::vector<Case>& all, const JudgedCase& failed) {
+  return Shrinker(assignment, home, candidate, rubric, all).run(failed);
 }
 
 }  // namespace meshgrade

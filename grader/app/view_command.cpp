@@ -178,7 +178,8 @@ void add_screenshot_options(CLI::App& command, ScreenshotOptions& options) {
   add(command.add_flag("--ids", options.ids, "The names of the elements"));
   add(command.add_flag("--smooth", options.smooth, "Shaded by your vertex normals"));
   add(command.add_flag("--normals", options.normals, "Your vertex normals as lines"));
-  add(command.add_option("--t", options.t, "Of a curve: where the levels are; 0.5 if not given")
+  add(command
+          .add_option("--t", options.t, "Of a curve: where the levels are; 0.5 if not given")
           ->check(CLI::Range(0.0, 1.0)));
   add(command
           .add_option("--level", options.levels_shown,

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "grader/assignment/late_rule.h"
 #include "grader/assignment/toml_section.h"
 #include "grader/base/errors.h"
 
@@ -57,6 +58,22 @@ std::optional<HiddenCases> read_hidden(TomlSection section) {
   return hidden;
 }
 
+/// Own meshes lie beside the assignment.
+void find_own_meshes(Assignment& assignment, const std::filesystem::path& file) {
+  for (ExerciseRubric& exercise : assignment.exercises) {
+    for (Group& group : exercise.groups) {
+      for (OwnMesh& mesh : group.meshes) {
+        std::error_code error;
+        mesh.file = file.parent_path() / mesh.name;
+        mesh.is_there = std::filesystem::is_regular_file(mesh.file, error);
+        if (!mesh.is_there && !mesh.hidden) {
+          throw UserError(mesh.place + ": there is no file " + mesh.file.string());
+        }
+      }
+    }
+  }
+}
+
 /// The number in the seed file, which lies beside the assignment unless its name says
 /// otherwise.
 void read_seed(HiddenCases& hidden, const std::filesystem::path& assignment) {
@@ -73,6 +90,43 @@ void read_seed(HiddenCases& hidden, const std::filesystem::path& assignment) {
                     ": must hold one whole number, the seed of the hidden cases");
   }
   hidden.seed = std::stoull(word);
+}
+
+/// Packages hold the file under this name beside the assignment.
+void require_beside(TomlSection& section, const std::string& name) {
+  const std::filesystem::path path(name);
+  const bool goes_up = std::any_of(
+      path.begin(), path.end(), [](const std::filesystem::path& part) { return part == ".."; });
+  if (name.empty() || path.is_absolute() || goes_up || path.filename().empty()) {
+    section.fail_at("file", "must name a mesh beside the assignment or in a folder below it");
+  }
+}
+
+OwnMesh read_own_mesh(TomlSection& section) {
+  OwnMesh mesh;
+  mesh.place = section.place();
+  mesh.name = section.require<std::string>("file");
+  require_beside(section, mesh.name);
+  mesh.file = mesh.name;
+  mesh.hidden = section.get("hidden", false);
+  if (section.has("levels")) mesh.levels = section.get_positive("levels", 1);
+  if (mesh.levels > 5) section.fail_at("levels", "must be at most 5");
+  if (section.has("edges") && section.is_text("edges")) {
+    const auto edges = section.get<std::string>("edges", "");
+    if (edges == "inner") mesh.edges = EdgesOf::kInner;
+    if (edges == "boundary") mesh.edges = EdgesOf::kBoundary;
+    if (edges == "every") mesh.edges = EdgesOf::kEvery;
+    if (!mesh.edges) {
+      section.fail_at("edges",
+                      "must be \"inner\", \"boundary\", \"every\" or a list of pairs of "
+                      "vertices, as [[0, 1], [4, 2]]");
+    }
+  } else if (section.has("edges")) {
+    mesh.edges = EdgesOf::kNamed;
+    mesh.named_edges = section.require_pairs("edges");
+  }
+  section.refuse_unknown_keys();
+  return mesh;
 }
 
 Group read_group(TomlSection& section, const std::vector<Group>& before) {
@@ -95,6 +149,8 @@ Group read_group(TomlSection& section, const std::vector<Group>& before) {
   if (!group.needs.empty() && std::none_of(before.begin(), before.end(), named(group.needs))) {
     section.fail_at("needs", "must name a group of this exercise that comes before this one");
   }
+  for (TomlSection& mesh : section.sections_if_any("mesh"))
+    group.meshes.push_back(read_own_mesh(mesh));
   section.refuse_unknown_keys();
   return group;
 }
@@ -135,6 +191,7 @@ Assignment read_table(const toml::table& table, const std::string& name) {
   }
   assignment.limits = read_limits(root.section("limits"));
   assignment.submission = read_submission(root.section("submission"));
+  root.section("late");  // read by read_late_rule()
   if (table.contains("hidden")) assignment.hidden = read_hidden(root.section("hidden"));
   for (TomlSection& exercise : root.sections("exercise")) {
     assignment.exercises.push_back(read_exercise(exercise, assignment));
@@ -160,6 +217,15 @@ double ExerciseRubric::extra_points() const {
   return sum_points(groups, true);
 }
 
+std::vector<OwnMesh> Assignment::own_meshes() const {
+  std::vector<OwnMesh> all;
+  for (const ExerciseRubric& exercise : exercises) {
+    for (const Group& group : exercise.groups)
+      all.insert(all.end(), group.meshes.begin(), group.meshes.end());
+  }
+  return all;
+}
+
 double Assignment::points() const {
   double sum = 0.0;
   for (const ExerciseRubric& exercise : exercises)
@@ -175,6 +241,7 @@ const ExerciseRubric* Assignment::find(const std::string& exercise) const {
 }
 
 Assignment parse_assignment(const std::string& text, const std::string& name) {
+  parse_late_rule(text, name);  // its mistakes, too, are told before any work
   try {
     return read_table(toml::parse(text, name), name);
   } catch (const toml::parse_error& error) {
@@ -192,6 +259,7 @@ Assignment read_assignment(const std::filesystem::path& file) {
   }
   Assignment assignment = parse_assignment(text.str(), file.string());
   if (assignment.hidden) read_seed(*assignment.hidden, file);
+  find_own_meshes(assignment, file);
   return assignment;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meshgrade {
@@ -16,6 +17,22 @@ enum class Partial {
   kPointers,  ///< by the pointers that are right in the cases that fail
 };
 
+/// Which edges of a mesh are flipped or split, each in a case of its own.
+enum class EdgesOf { kInner, kBoundary, kEvery, kNamed };
+
+/// A mesh of the instructor's own that a group is tried on, besides the standard ones.
+struct OwnMesh {
+  std::string name;            ///< as in the assignment: "meshes/ring.obj", beside it
+  std::filesystem::path file;  ///< where it is
+  bool is_there = true;        ///< false only where a hidden one is not handed out
+  bool hidden = false;         ///< not handed out; its cases are hidden ones
+  std::uint32_t levels = 0;    ///< of subdivision; 0: not said
+  std::optional<EdgesOf> edges = std::nullopt;  ///< empty: not said
+  /// If they are named, by their ends, vertices of the file counted from 0.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> named_edges = {};
+  std::string place = {};  ///< "assignment.toml:42", for messages
+};
+
 /// Cases that points are given for together.
 struct Group {
   std::string name;   ///< as in the cases: "basic"
@@ -23,8 +40,9 @@ struct Group {
   double points = 0.0;
   bool extra_credit = false;  ///< points on top, not needed for a full score
   Partial partial = Partial::kNone;
-  std::string needs;          ///< a group that must earn something before this one counts
-  std::string place;          ///< "assignment.toml:42", for messages
+  std::string needs;  ///< a group that must earn something before this one counts
+  std::string place;  ///< "assignment.toml:42", for messages
+  std::vector<OwnMesh> meshes = {};
 };
 
 /// A setting of an exercise's own.
@@ -91,6 +109,8 @@ struct Assignment {
   std::vector<ExerciseRubric> exercises;  ///< in the order in which they are reported
 
   double points() const;
+  /// All meshes of the instructor's own.
+  std::vector<OwnMesh> own_meshes() const;
   const ExerciseRubric* find(const std::string& exercise) const;
 };
 

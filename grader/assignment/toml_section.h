@@ -3,14 +3,18 @@
 // Reads tables of TOML files that people write: what is wrong is told with file, line and key.
 
 #include <toml++/toml.h>
+
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "grader/assignment/assignment.h"
+#include "grader/assignment/late_rule.h"
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
 
@@ -70,7 +74,71 @@ class TomlSection {
     fail(*node, full(key) + " must be one of " + join(words, ", "));
   }
 
+  /// A number of points, or a share of the full points in per cent: 5 or "10 %".
+  PointsOrShare require_points_or_share(const std::string& key) {
+    known_.insert(key);
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) fail(table_, "the key " + full(key) + " is missing");
+    static const std::regex per_cent("([0-9]{1,3}(?:[.][0-9]{1,6})?) ?%");
+    std::smatch found;
+    const std::string text = node->value<std::string>().value_or("");
+    const bool is_share = std::regex_match(text, found, per_cent);
+    const double value =
+        is_share ? std::stod(found[1]) / 100.0 : node->value<double>().value_or(-1.0);
+    const bool is_number = is_share || node->is_number();
+    if (!is_number || !(value >= 0.0) || !std::isfinite(value) || (is_share && value > 1.0)) {
+      fail(*node, full(key) +
+                      " must be a number of points, such as 5, or a part of the full "
+                      "points, such as \"10 %\"");
+    }
+    return {value, is_share};
+  }
+
+  /// A moment with its zone.
+  toml::date_time require_moment(const std::string& key) {
+    known_.insert(key);
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) fail(table_, "the key " + full(key) + " is missing");
+    const auto moment = node->value<toml::date_time>();
+    if (!moment || !moment->offset) {
+      fail(*node, full(key) +
+                      " must be a time with its zone and without quotes, such as "
+                      "2026-03-01T23:59:00-08:00");
+    }
+    return *moment;
+  }
+
   bool has(const std::string& key) const { return table_.contains(key); }
+  bool is_text(const std::string& key) const {
+    const toml::node* node = table_.get(key);
+    return node != nullptr && node->is_string();
+  }
+
+  /// [[0, 1], [4, 2]]: at least one pair of whole numbers, none below 0.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> require_pairs(const std::string& key) {
+    known_.insert(key);
+    const toml::node* node = table_.get(key);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    const toml::array* list = node == nullptr ? nullptr : node->as_array();
+    const auto number = [](const toml::node& entry) {
+      const auto value = entry.value_exact<std::int64_t>();
+      return value && *value >= 0 && *value < 1'000'000'000 ? *value : -1;
+    };
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+      const toml::array* pair = (*list)[i].as_array();
+      if (pair == nullptr || pair->size() != 2 || number((*pair)[0]) < 0 ||
+          number((*pair)[1]) < 0) {
+        fail((*list)[i],
+             full(key) + " must be a list of pairs of vertices, as [[0, 1], [4, 2]]");
+      }
+      pairs.emplace_back(number((*pair)[0]), number((*pair)[1]));
+    }
+    if (pairs.empty()) {
+      fail(node == nullptr ? table_ : *node,
+           full(key) + " must be a list of pairs of vertices, as [[0, 1], [4, 2]]");
+    }
+    return pairs;
+  }
 
   std::vector<std::string> get_strings(const std::string& key) {
     known_.insert(key);

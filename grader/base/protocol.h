@@ -23,12 +23,11 @@ struct Task {
   std::uint64_t step_budget = 0;  ///< uses of handles
   std::uint32_t cpu_ms = 0;       ///< processor time
   std::uint32_t wall_ms = 0;      ///< time on the clock
-  bool fresh = false;             ///< begins a process of its own
   std::uint32_t family = 0;       ///< tasks of one family call the same functions: see run_cases
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(exercise, input, step_budget, cpu_ms, wall_ms, fresh, family);
+    wire(exercise, input, step_budget, cpu_ms, wall_ms, family);
   }
 };
 
@@ -60,7 +59,7 @@ enum class Ending : std::uint32_t {
   kSkipped = 9,        ///< not run: too many of its family before it ran out of time
   kTooManyFiles = 10,  ///< the most files that may be open were open
   kTooManyProcesses = 11,  ///< more processes than are allowed
-  kLibraryCheck = 12,      ///< the standard library refused a call; `subject` says which and why
+  kLibraryCheck = 12,  ///< the standard library refused a call; `subject` says which and why
 };
 constexpr std::uint32_t kLastEnding = static_cast<std::uint32_t>(Ending::kLibraryCheck);
 

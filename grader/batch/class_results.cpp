@@ -5,6 +5,8 @@
 
 #include "grader/base/errors.h"
 #include "grader/base/safe_file.h"
+#include "grader/base/text.h"
+#include "grader/batch/lateness.h"
 
 namespace meshgrade {
 
@@ -15,12 +17,12 @@ namespace {
 constexpr const char* kSchema = "meshgrade-class/1";
 
 ClassRow to_row(const HandIn& hand_in, const std::vector<ExercisePoints>& exercises,
-                const ResultStore& store) {
+                const ResultStore& store, const Lateness& lateness) {
   const Result result = store.load(hand_in.key);
   ClassRow row{hand_in.key,
                hand_in.people,
                hand_in.submitted_at,
-               hand_in.late,
+               lateness.late,
                result.status,
                result.reason,
                0.0,
@@ -28,6 +30,7 @@ ClassRow to_row(const HandIn& hand_in, const std::vector<ExercisePoints>& exerci
                exercises};
   for (ExercisePoints& exercise : row.exercises)
     exercise.title.clear();
+  row.late_note = lateness.note;
   if (!result.report) return row;
   row.points = result.report->points;
   row.extra_points = result.report->extra_points;
@@ -55,13 +58,13 @@ NLOHMANN_JSON_SERIALIZE_ENUM(ResultStatus, {{ResultStatus::kMissing, "not graded
                                             {ResultStatus::kUngradable, "ungradable"},
                                             {ResultStatus::kGraderError, "grader error"}})
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ClassRow, key, people, submitted_at, late, status, reason,
-                                   points, extra_points, exercises)
+                                   points, extra_points, exercises, late_deduction, late_note)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ClassResults, assignment, layout, max_points,
                                    max_extra_points, exercises, rows, left_out)
 
 ClassResults collect_results(const Roster& roster, const Assignment& assignment,
                              const std::vector<std::string>& exercises,
-                             const ResultStore& store) {
+                             const ResultStore& store, const std::optional<LateRule>& late) {
   ClassResults results;
   results.assignment = assignment.title;
   results.layout = roster.layout;
@@ -71,14 +74,27 @@ ClassResults collect_results(const Roster& roster, const Assignment& assignment,
                                                        rubric.name) != exercises.end();
     if (!wanted) continue;
     results.exercises.push_back(
-        {rubric.name, "", 0.0, rubric.points(), 0.0, rubric.extra_points(),
-         rubric.title});
+        {rubric.name, "", 0.0, rubric.points(), 0.0, rubric.extra_points(), rubric.title});
     results.max_points += rubric.points();
     results.max_extra_points += rubric.extra_points();
   }
-  for (const HandIn& hand_in : roster.hand_ins)
-    results.rows.push_back(to_row(hand_in, results.exercises, store));
+  for (const HandIn& hand_in : roster.hand_ins) {
+    const Lateness lateness = lateness_of(hand_in, late);
+    ClassRow row = to_row(hand_in, results.exercises, store, lateness);
+    if (late) {
+      row.late_deduction = late_deduction(*late, lateness.days, row.points, results.max_points);
+      row.points -= row.late_deduction;
+    }
+    results.rows.push_back(std::move(row));
+  }
   return results;
+}
+
+std::string late_text(const ClassRow& row) {
+  if (row.late_note.empty()) return row.late ? "late by the platform" : "";
+  if (row.late_deduction <= 0.0) return row.late_note;
+  return number_text(row.points_before_late()) + " - " + number_text(row.late_deduction) +
+         " = " + number_text(row.points) + " points: " + row.late_note;
 }
 
 std::string to_json(const ClassResults& results) {
@@ -89,9 +105,13 @@ std::string to_json(const ClassResults& results) {
 
 ClassResults read_class_results(const std::string& json) {
   try {
-    const Json value = Json::parse(json);
+    Json value = Json::parse(json);
     if (value.at("schema") != kSchema) {
       throw UserError("it is of another form than " + std::string(kSchema));
+    }
+    for (Json& row : value.at("rows")) {  // what earlier versions did not write
+      if (row.is_object()) row.emplace("late_deduction", 0.0);
+      if (row.is_object()) row.emplace("late_note", "");
     }
     return value.get<ClassResults>();
   } catch (const Json::exception& error) {

@@ -72,6 +72,9 @@ class Summing {
   void add(const ClassRow& row) {
     ++summary_.statuses[status_name(row.status)];
     summary_.late += row.late ? 1 : 0;
+    if (row.late) summary_.late_ones.push_back({row.key, late_text(row)});
+    if (!row.late && row.submitted_at.empty() && !row.late_note.empty())
+      ++summary_.without_time;
     if (row.status != ResultStatus::kGraded) {
       summary_.not_graded.push_back(
           {row.key, std::string(status_name(row.status)) +
@@ -211,6 +214,11 @@ std::string to_text(const ClassSummary& summary) {
   text += distribution_text(summary) + exercises_text(summary);
   text += faults_text("Broken rules, by the number of hand-ins", summary.rules);
   text += faults_text("Misconceptions, by the number of hand-ins", summary.misconceptions);
+  text += remarks_text("Late", summary.late_ones);
+  if (summary.without_time != 0) {
+    text += "\n" + plural(summary.without_time, "hand-in") +
+            " without a time: nothing is taken off, late or not\n";
+  }
   text += remarks_text("Not graded", summary.not_graded);
   text += remarks_text("Suspected of tampering: look at these", summary.suspicious);
   std::vector<Remark> left_out;

@@ -42,6 +42,8 @@ struct ClassSummary {
   double highest = 0.0;
   std::vector<std::size_t> distribution;  ///< of 0 to 10 %, ..., 90 to below 100 %, 100 %
   std::size_t late = 0;
+  std::vector<Remark> late_ones;  ///< who they are, and what was taken off
+  std::size_t without_time = 0;   ///< of whom a rule for late work cannot tell
   std::vector<ExerciseSummary> exercises;
   std::vector<CommonFault> rules;           ///< broken rules, the most common first
   std::vector<CommonFault> misconceptions;  ///< that explain the numbers; the same

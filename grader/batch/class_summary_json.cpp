@@ -48,6 +48,8 @@ std::string to_json(const ClassSummary& summary) {
                    {"assignment", summary.assignment},
                    {"statuses", summary.statuses},
                    {"late", summary.late},
+                   {"late_ones", to_value(summary.late_ones)},
+                   {"without_time", summary.without_time},
                    {"max_points", summary.max_points},
                    {"mean", summary.mean},
                    {"median", summary.median},

@@ -95,8 +95,10 @@ std::string run_tool(const SimilarityOptions& options, const fs::path& folder,
   try {
     result = run_process(command);
   } catch (const GraderError&) {
-    throw UserError(std::string(kTool) + " is not installed: it comes with Debian's package " +
-                    "similarity-tester (apt-get install similarity-tester)");
+    throw UserError(
+        "comparing takes the program sim_c++, which is not installed: it is in the "
+        "package similarity-tester of Debian 12 and of Debian testing; Debian 13 "
+        "does not have it");
   }
   if (!result.ok()) {
     throw GraderError(std::string(kTool) +

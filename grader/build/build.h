@@ -7,6 +7,7 @@
 
 #include "grader/assignment/assignment.h"
 #include "grader/base/process.h"
+#include "grader/build/diagnostics.h"
 #include "grader/build/home.h"
 #include "grader/build/leave_out.h"
 #include "grader/submission/submission.h"
@@ -17,9 +18,11 @@ namespace meshgrade {
 struct BuiltFile {
   std::string name;
   bool ok = false;
-  std::string messages;  ///< of the compiler or linker; also warnings of a file that compiled
-  bool linked = true;    ///< false if it compiles, but not together with the other files
-  bool compiler_died = false;      ///< the compiler broke, twice: not the student's fault
+  /// Of the compiler or linker: the errors, or the warnings of a file that compiled whole.
+  std::string messages;
+  std::vector<CompilerWarning> warnings;  ///< of what was compiled in the end
+  bool linked = true;          ///< false if it compiles, but not together with the other files
+  bool compiler_died = false;  ///< the compiler broke, twice: not the student's fault
   std::vector<LeftOut> left_out;   ///< functions without which the file compiles
   std::vector<std::string> notes;  ///< what is known about the reasons
 };

@@ -122,17 +122,16 @@ std::vector<std::pair<FunctionExtent, Complaint>> to_blame(
 
 /// Whether a body, from brace to brace, says nothing. `head` is what stands in front of it.
 bool does_nothing(const std::string& head, const std::string& body) {
-  static const std::regex
-      form(
-          "\\{"
-          "(?:showError\\(\\);|(?:std::)?(?:cout|cerr)<<[^;]*;)*"  // a message
-          "(?:(?!return|throw|delete)(?:std::)?(?:vector<)?\\w+(?:>| "
-          ")(\\w+)(?:\\([0-9.,]*\\))?;)?"  // a variable
-          "(?:return(?:;| (\\w+);|"        // by its name
-          "\\{\\};|"
-          " (?:std::)?(?:vector<)?(?:CGL::)?(?:Vector[23]D|EdgeIter|VertexIter)>?"  // a new one
-          "[\\(\\{][0-9.,]*[\\)\\}];))?"
-          "\\}");
+  static const std::regex form(
+      "\\{"
+      "(?:showError\\(\\);|(?:std::)?(?:cout|cerr)<<[^;]*;)*"  // a message
+      "(?:(?!return|throw|delete)(?:std::)?(?:vector<)?\\w+(?:>| "
+      ")(\\w+)(?:\\([0-9.,]*\\))?;)?"  // a variable
+      "(?:return(?:;| (\\w+);|"        // by its name
+      "\\{\\};|"
+      " (?:std::)?(?:vector<)?(?:CGL::)?(?:Vector[23]D|EdgeIter|VertexIter)>?"  // a new one
+      "[\\(\\{][0-9.,]*[\\)\\}];))?"
+      "\\}");
   constexpr std::size_t kMost = 400;  // std::regex goes as deep as a text is long
   const std::string code = squeeze(code_only(body));
   std::smatch found;

@@ -7,6 +7,7 @@
 
 #include "grader/base/errors.h"
 #include "grader/cases/mesh_shapes.h"
+#include "grader/cases/own_meshes.h"
 #include "grader/files/bezier_file.h"
 #include "grader/files/mesh_file.h"
 
@@ -49,7 +50,14 @@ std::vector<Case> make_with_seed(std::uint64_t seed, Assignment assignment,
   assignment.seed = seed;
   CaseMaker cases(assignment, rubric, meshes);
   makers_of(rubric).cases(cases);
+  add_own_meshes(cases, rubric, false);
   return cases.take();
+}
+
+/// A group that waits for a mesh which is not handed out.
+bool lacks_a_mesh(const Group& group) {
+  return std::any_of(group.meshes.begin(), group.meshes.end(),
+                     [](const OwnMesh& mesh) { return !mesh.is_there; });
 }
 
 /// Adds what another seed draws; what it does not draw is there already. The numbers go on.
@@ -71,7 +79,9 @@ void add_hidden(std::vector<Case> drawn, std::vector<Case>& made) {
 }  // namespace
 
 PolygonMesh CaseMaker::mesh(const std::string& file) const {
-  return in_build_order(read_mesh(meshes_ / file).mesh);
+  const auto known = read_.find(file);
+  if (known != read_.end()) return known->second;
+  return read_[file] = in_build_order(read_mesh(meshes_ / file).mesh);
 }
 
 std::vector<ControlNet> CaseMaker::patches(const std::string& file) const {
@@ -99,7 +109,11 @@ std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric&
   if (assignment.hidden && assignment.hidden->seed) {
     add_hidden(make_with_seed(*assignment.hidden->seed, assignment, rubric, meshes), made);
   }
+  CaseMaker hidden(assignment, rubric, meshes);
+  add_own_meshes(hidden, rubric, true);
+  add_hidden(hidden.take(), made);
   for (const Group& group : rubric.groups) {
+    if (lacks_a_mesh(group)) continue;
     const auto in_group = [&](const Case& c) { return c.group == group.name; };
     if (std::none_of(made.begin(), made.end(), in_group)) {
       throw UserError(group.place + ": " + rubric.name + " has no cases for a group \"" +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,7 @@ class CaseMaker {
   const Assignment& assignment_;
   const ExerciseRubric& rubric_;
   std::filesystem::path meshes_;
+  mutable std::map<std::string, PolygonMesh> read_;  ///< many cases begin with the same file
   std::vector<Case> cases_;
 };
 

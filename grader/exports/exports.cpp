@@ -96,6 +96,7 @@ void note_exceptions(const ClassResults& results,
     } else if (row.status == ResultStatus::kUngradable) {
       notes.push_back(row.key + " gets 0 points (ungradable: " + row.reason + ")");
     }
+    if (row.late) notes.push_back(row.key + " is late: " + late_text(row));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct ExportOptions {
   bool extra_credit = true;  ///< add the extra credit to the points
   double out_of = 0.0;       ///< what full points are worth there; 0: the same as here
   std::string time;          ///< "2026-01-31T12:00:00", for formats that need one
+  /// What to tell each hand-in, by its key, where the gradebook has room for it; HTML.
+  std::map<std::string, std::string> feedback = {};
+  std::string feedback_column = {};  ///< where; empty: as it is called in English
 };
 
 /// A file for a gradebook, and what to know before it is uploaded.
@@ -67,6 +71,12 @@ double full_points(const ClassResults& results, const ExportOptions& options);
 /// The points to enter for a row; "87.5".
 std::string points_to_enter(const ClassRow& row, const ClassResults& results,
                             const ExportOptions& options);
+
+/// A student's report in short, as HTML without line ends: points of each exercise, and what is
+/// wrong first. It begins with kFeedbackStart.
+std::string feedback_html(const ClassRow& row, const ClassResults& results,
+                          const Report* report);
+constexpr const char* kFeedbackStart = "Points: ";
 
 /// Notes whose grade is not written, since the gradebook does not know them or they have none,
 /// and who has 0 points for what is ungradable. `in_words` is what the file is called:

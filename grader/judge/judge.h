@@ -57,6 +57,10 @@ struct ExerciseJudge {
   bool counts_pointers = false;
 
   std::vector<OpenChoice> choices = {};  ///< besides what the reference chooses
+
+  /// Which one of `functions` a case calls, where there are several. @throws WireError if its
+  /// input is malformed
+  std::string (*called_by)(const Case& asked) = nullptr;
 };
 
 /// Makes sure of a claim that all steps are done. Call it when no step is wrong.

@@ -1,10 +1,8 @@
 #include "grader/judge/operation_judge.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
@@ -12,43 +10,12 @@
 #include "grader/judge/local_scale.h"
 #include "grader/judge/operation_advice.h"
 #include "grader/judge/operation_model.h"
+#include "grader/judge/operation_surface.h"
 #include "grader/judge/pointer_diff.h"
-#include "grader/judge/surface_match.h"
 #include "grader/mesh/mesh_rules.h"
 
 namespace meshgrade {
 namespace {
-
-using Triangle = std::array<Ref, 3>;
-
-/// The corners of all faces, each turned so that the smallest comes first.
-std::set<Triangle> triangles(const MeshDump& mesh) {
-  std::set<Triangle> result;
-  for (const FaceRecord& f : mesh.faces) {
-    if (f.live == 0) continue;
-    const HalfedgeRecord& x = mesh.halfedges[f.halfedge];
-    const HalfedgeRecord& y = mesh.halfedges[x.next];
-    Triangle t{x.vertex, y.vertex, mesh.halfedges[y.next].vertex};
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    result.insert(t);
-  }
-  return result;
-}
-
-std::string triangles_text(const std::set<Triangle>& all, const std::set<Triangle>& others) {
-  std::vector<std::string> names;
-  for (const Triangle& t : all) {
-    if (others.count(t) != 0) continue;
-    names.push_back(vertex_name(t[0]) + " " + vertex_name(t[1]) + " " + vertex_name(t[2]));
-  }
-  if (names.size() > 6) names.resize(6);
-  return names.empty() ? "none" : join(names, ", ");
-}
-
-std::string edge_ends(const MeshDump& mesh, Ref edge) {
-  const HalfedgeRecord& h = mesh.halfedges[mesh.edges[edge].halfedge];
-  return vertex_name(h.vertex) + "-" + vertex_name(mesh.halfedges[h.twin].vertex);
-}
 
 /// The elements that are there afterwards and were not before, "v4, e5"; empty if anything
 /// else is different, too.
@@ -184,7 +151,8 @@ class StepJudge {
 
   /// Nothing about the surface and its elements has changed.
   bool same_mesh(const MeshDump& other) {
-    return count(after_) == count(other) && is_right_surface(other, kUnsetRef, true);
+    return count(after_) == count(other) && find_broken_rules(after_).empty() &&
+           is_right_surface(other, kUnsetRef);
   }
 
   void judge_untouched() {
@@ -448,96 +416,16 @@ class StepJudge {
     return false;
   }
 
-  /// Matches the mesh with an expected one: old vertices and old edges by their identity. The
-  /// edge `free_edge`, of which a split makes two, may be either of them.
-  bool is_right_surface(const MeshDump& expected, Ref free_edge, bool quiet) {
-    if (!quiet || find_broken_rules(after_).empty()) {
-      match_.emplace(expected);
-      return match_all(expected, free_edge);
-    }
-    return false;
-  }
-
-  bool is_fixed(Ref edge, Ref free_edge) const {
-    return edge != free_edge && edge < before_.edges.size();
-  }
-
-  bool match_all(const MeshDump& expected, Ref free_edge) {
-    std::vector<Ref> starts;
-    for (bool fixed : {true, false}) {
-      for (Ref h = 0; h < expected.halfedges.size(); ++h) {
-        if (expected.halfedges[h].live == 0) continue;
-        if (is_fixed(expected.halfedges[h].edge, free_edge) == fixed) starts.push_back(h);
-      }
-    }
-    const auto candidates = [&](Ref from) {
-      const HalfedgeRecord& mine = expected.halfedges[from];
-      std::vector<Ref> list;
-      for (Ref h = 0; h < after_.halfedges.size(); ++h) {
-        const HalfedgeRecord& other = after_.halfedges[h];
-        if (other.live == 0 || other.vertex != mine.vertex) continue;
-        if (!is_fixed(mine.edge, free_edge) || other.edge == mine.edge) list.push_back(h);
-      }
-      return list;
-    };
-    return match_surfaces(expected, after_, starts, candidates, *match_) &&
-           keeps_identity(free_edge);
-  }
-
-  bool keeps_identity(Ref free_edge) const {
-    for (Ref v = 0; v < before_.vertices.size(); ++v) {
-      if (before_.vertices[v].live != 0 && match_->vertex[v] != v) return false;
-    }
-    for (Ref e = 0; e < before_.edges.size(); ++e) {
-      if (before_.edges[e].live != 0 && e != free_edge && match_->edge[e] != e) return false;
-    }
-    return true;
+  bool is_right_surface(const MeshDump& expected, Ref free_edge) {
+    match_ = match_operation({before_, after_, expected, free_edge});
+    return match_.has_value();
   }
 
   bool require_surface(const MeshDump& expected, Ref free_edge) {
-    if (is_right_surface(expected, free_edge, false)) return true;
-    const std::set<Triangle> want = triangles(expected);
-    const std::set<Triangle> have = triangles(after_);
-    if (want != have) {
-      report_other_surface(want, have);
-    } else {
-      report_swapped_edges(expected, free_edge);
-    }
+    if (is_right_surface(expected, free_edge)) return true;
+    judgement_.findings.push_back(
+        surface_finding({before_, after_, expected, free_edge}, where_, edge_));
     return false;
-  }
-
-  void report_other_surface(const std::set<Triangle>& want, const std::set<Triangle>& have) {
-    bool turned = false;
-    for (Triangle t : have) {
-      std::swap(t[1], t[2]);
-      turned = turned || (want.count(t) != 0 && have.count(t) == 0);
-    }
-    const std::string rule = turned ? "orientation" : "surface";
-    report(rule,
-           turned ? std::string(rule_meaning("orientation"))
-                  : "the faces around the edge are those that the operation gives",
-           edge_text(), "faces " + triangles_text(want, have),
-           "faces " + triangles_text(have, want),
-           "the .vertex of the half-edges around " + edge_name(edge_));
-  }
-
-  /// The faces are right, but some old edge is not where it was.
-  void report_swapped_edges(const MeshDump& expected, Ref free_edge) {
-    for (Ref e = 0; e < before_.edges.size(); ++e) {
-      if (before_.edges[e].live == 0 || e == free_edge) continue;
-      const std::string want = edge_ends(expected, e);
-      const std::string have = edge_ends(after_, e);
-      const std::string turned =
-          have.substr(have.find('-') + 1) + "-" + have.substr(0, have.find('-'));
-      if (want == have || want == turned) continue;
-      report("identity", "the other edges stay where they are", edge_name(e),
-             edge_name(e) + " joins " + want, edge_name(e) + " joins " + have,
-             "the .edge of the half-edges around " + edge_name(edge_));
-      return;
-    }
-    report("identity", "the other edges stay where they are", edge_text(),
-           "the same edges between the same faces", "edges have changed places",
-           "the .edge of the half-edges around " + edge_name(edge_));
   }
 
   /// The first old vertex that lies elsewhere now.

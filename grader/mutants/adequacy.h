@@ -17,7 +17,8 @@ struct AdequacyOptions {
   std::size_t variants = 240;
   std::size_t repeated = 12;  ///< submissions that are graded three times
   unsigned jobs = 2;
-  std::string exercise;  ///< only this one; empty: all
+  std::string exercise;             ///< only this one; empty: all
+  std::vector<std::string> styles;  ///< names of the solutions to change; empty: all
 };
 
 struct Adequacy {

@@ -17,8 +17,8 @@ const fs::path kHosts = fs::path("grader") / "package" / "hosts";
 
 /// The assignment with the seed of its hidden cases: only where students cannot look.
 void add_assignment(const fs::path& file, const fs::path& folder) {
-  std::vector<PackagePart> parts{{file.string(), "assignment.toml"}};
   const Assignment assignment = read_assignment(file);
+  std::vector<PackagePart> parts = assignment_parts(assignment, file, "assignment.toml", true);
   if (assignment.hidden) {
     const fs::path& seed = assignment.hidden->seed_file;
     if (fs::absolute(seed).parent_path() != fs::absolute(file).parent_path()) {

@@ -1,6 +1,6 @@
 #include "grader/package/handout.h"
 
-#include <optional>
+#include <vector>
 
 #include "grader/assignment/assignment.h"
 #include "grader/package/package_files.h"
@@ -13,9 +13,10 @@ std::vector<PackagePart> handout_parts() {
   parts.push_back({"student_skeleton", "student_skeleton"});
   // It lies at the top here, too, so that its links hold in both places.
   parts.push_back({"HANDOUT.md", "README.md"});
-  for (const char* page : {"student.md", "installing.md", "rules.md", "report.md",
-                           "report.schema.json", "formats.md", "dropin.md", "assignment.md",
-                           "exercises", "viewer.md", "lopsided_cube.md", "pictures"}) {
+  for (const char* page :
+       {"student.md", "installing.md", "rules.md", "report.md", "report.schema.json",
+        "formats.md", "dropin.md", "assignment.md", "exercises", "viewer.md",
+        "lopsided_cube.md", "pictures", "writeup", "writeup_rubric.toml"}) {
     const std::string path = std::string("docs/") + page;
     parts.push_back({path, path});
   }
@@ -27,10 +28,15 @@ std::vector<PackagePart> handout_parts() {
 void write_handout(const std::filesystem::path& project,
                    const std::filesystem::path& assignment,
                    const std::filesystem::path& target) {
-  const std::optional<HiddenCases> hidden = read_assignment(assignment).hidden;
+  const Assignment read = read_assignment(assignment);
+  std::vector<std::filesystem::path> secrets;
+  if (read.hidden) secrets.push_back(read.hidden->seed_file);
+  for (const OwnMesh& mesh : read.own_meshes()) {
+    if (mesh.hidden) secrets.push_back(mesh.file);
+  }
   make_package_folder(target);
-  copy_parts(project, handout_parts(), target, hidden ? hidden->seed_file : "");
-  copy_parts("", {{assignment.string(), "grader/assignment.toml"}}, target);
+  copy_parts(project, handout_parts(), target, secrets);
+  copy_parts("", assignment_parts(read, assignment, "grader/assignment.toml", false), target);
 }
 
 }  // namespace meshgrade

@@ -1,5 +1,6 @@
 #include "grader/package/package_files.h"
 
+#include <algorithm>
 #include <system_error>
 
 #include "grader/base/errors.h"
@@ -27,13 +28,19 @@ bool is_same(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, error) && !error;
 }
 
-void copy_folder(const fs::path& from, const fs::path& to, const fs::path& secret) {
+bool is_one_of(const fs::path& file, const std::vector<fs::path>& others) {
+  return std::any_of(others.begin(), others.end(),
+                     [&](const fs::path& other) { return is_same(file, other); });
+}
+
+void copy_folder(const fs::path& from, const fs::path& to,
+                 const std::vector<fs::path>& secrets) {
   for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
     if (entry.is_symlink() || fs::exists(entry.path() / "CMakeCache.txt")) continue;
     const fs::path target = to / entry.path().filename();
     if (entry.is_directory()) {
-      copy_folder(entry.path(), target, secret);
-    } else if (entry.is_regular_file() && !is_same(entry.path(), secret)) {
+      copy_folder(entry.path(), target, secrets);
+    } else if (entry.is_regular_file() && !is_one_of(entry.path(), secrets)) {
       copy_one(entry.path(), target);
     }
   }
@@ -60,12 +67,22 @@ void make_package_folder(const fs::path& target) {
   }
 }
 
+std::vector<PackagePart> assignment_parts(const Assignment& assignment, const fs::path& file,
+                                          const std::string& to, bool hidden) {
+  std::vector<PackagePart> parts{{file.string(), to}};
+  for (const OwnMesh& mesh : assignment.own_meshes()) {
+    if (mesh.hidden && !hidden) continue;
+    parts.push_back({mesh.file.string(), (fs::path(to).parent_path() / mesh.name).string()});
+  }
+  return parts;
+}
+
 void copy_parts(const fs::path& project, const std::vector<PackagePart>& parts,
-                const fs::path& target, const fs::path& secret) {
+                const fs::path& target, const std::vector<fs::path>& secrets) {
   for (const PackagePart& part : parts) {
     const fs::path from = project / part.from;
     if (fs::is_directory(from)) {
-      copy_folder(from, target / part.to, secret);
+      copy_folder(from, target / part.to, secrets);
     } else if (fs::is_regular_file(from)) {
       copy_one(from, target / part.to);
     } else {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "grader/assignment/assignment.h"
+
 namespace meshgrade {
 
 /// A file or a folder of the project, and where it goes in a package.
@@ -20,10 +22,18 @@ std::vector<PackagePart> grader_parts();
 /// @throws UserError if it is there already and not empty, or cannot be made
 void make_package_folder(const std::filesystem::path& target);
 
+/// The assignment and the meshes of its own, as parts of a package whose grader reads the
+/// assignment from its `to`.
+/// @param hidden  also the meshes that are not handed out
+std::vector<PackagePart> assignment_parts(const Assignment& assignment,
+                                          const std::filesystem::path& file,
+                                          const std::string& to, bool hidden);
+
 /// Copies parts of the project. Links are left out, and so is what a build leaves behind.
-/// @param secret  a file that is left out, in whichever part it lies; empty if there is none
+/// @param secrets  files that are left out, in whichever part they lie
 /// @throws UserError if one cannot be copied
 void copy_parts(const std::filesystem::path& project, const std::vector<PackagePart>& parts,
-                const std::filesystem::path& target, const std::filesystem::path& secret = {});
+                const std::filesystem::path& target,
+                const std::vector<std::filesystem::path>& secrets = {});
 
 }  // namespace meshgrade

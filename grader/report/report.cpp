@@ -218,6 +218,28 @@ void hide_details(CaseReport& c, HiddenShow show) {
   c.findings = std::move(findings);
 }
 
+/// What students may see of hidden cases, and what of these is not here.
+void add_hidden(const Assignment& assignment, Report& report) {
+  if (assignment.hidden) {
+    report.hidden_show = assignment.hidden->show;
+    if (!assignment.hidden->seed) {
+      report.notes.emplace_back("hidden cases are not part of this: their seed is not here");
+    }
+  }
+  const std::vector<OwnMesh> own = assignment.own_meshes();
+  if (!assignment.hidden &&
+      std::any_of(own.begin(), own.end(), [](const OwnMesh& mesh) { return mesh.hidden; })) {
+    report.hidden_show = HiddenShow::kName;
+  }
+  const auto missing = static_cast<std::size_t>(std::count_if(
+      own.begin(), own.end(), [](const OwnMesh& mesh) { return !mesh.is_there; }));
+  if (missing > 0) {
+    report.notes.push_back(std::string("hidden cases are not part of this: ") +
+                           (missing == 1 ? "a mesh of theirs is" : "meshes of theirs are") +
+                           " not here");
+  }
+}
+
 }  // namespace
 
 bool Report::has_grader_error() const {
@@ -244,16 +266,12 @@ Report make_report(const Assignment& assignment, const Submission& submission,
   report.submission = printable(submission.name);
   report.seed = assignment.seed;
   report.notes = submission.notes;
-  if (assignment.hidden) {
-    report.hidden_show = assignment.hidden->show;
-    if (!assignment.hidden->seed) {
-      report.notes.emplace_back("hidden cases are not part of this: their seed is not here");
-    }
-  }
+  add_hidden(assignment, report);
   report.sandbox = build.sandbox;
   for (const BuiltFile& file : build.files) {
     const bool whole = file.ok && file.left_out.empty();
-    report.files.push_back({file.name, whole, file.messages, file.linked});
+    // Warnings stand with the failures of their functions.
+    report.files.push_back({file.name, whole, whole ? "" : file.messages, file.linked});
     report.notes.insert(report.notes.end(), file.notes.begin(), file.notes.end());
     for (const LeftOut& left : file.left_out) {
       if (left.not_judged) continue;  // told among the file's own notes

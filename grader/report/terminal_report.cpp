@@ -87,12 +87,9 @@ class TerminalReport {
   }
 
   void add_file(const FileReport& file) {
-    if (file.compiled && !style_.verbose) return;
-    if (file.compiled && file.messages.empty()) return;
+    if (file.compiled) return;
     out_ += "\n" + paint("1", file.name) +
-            (file.compiled ? " compiled with warnings:\n"
-             : file.linked ? " does not compile:\n"
-                           : " does not link:\n");
+            (file.linked ? " does not compile:\n" : " does not link:\n");
     const std::vector<std::string> lines = split_lines(file.messages);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (i == kMostMessageLines && !style_.verbose) {

@@ -69,7 +69,7 @@ TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Case& c = *cases[i];
     list.tasks.push_back({c.exercise, c.input, c.step_budget, limits.case_cpu_ms,
-                          limits.case_wall_ms, c.fresh, families[i]});
+                          limits.case_wall_ms, families[i]});
   }
   return list;
 }
@@ -228,18 +228,14 @@ ProcessResult run_worker(const Build& build, const fs::path& folder, const Limit
   return run_confined(build.sandbox, std::move(command), worker_bounds(build, limits));
 }
 
-}  // namespace
-
-namespace {
-
 /// What came of cases that one worker ran.
 struct Run {
   std::vector<Outcome> outcomes;
   bool spoiled = false;  ///< some are lost that others of these may have cost
 };
 
-Run run_together(const Build& build, const std::vector<const Case*>& cases,
-                 const Limits& limits, Company company) {
+Run run_in_one_worker(const Build& build, const std::vector<const Case*>& cases,
+                      const Limits& limits, Company company) {
   const FileDescriptor tasks = make_task_file(cases, limits, company);
   const FileDescriptor results = make_scratch_file();
   const FileDescriptor output = make_scratch_file();
@@ -268,29 +264,61 @@ Run run_together(const Build& build, const std::vector<const Case*>& cases,
   return run;
 }
 
+/// A family each: [family] has the numbers of its cases.
+std::vector<std::vector<std::size_t>> members_of(const std::vector<const Case*>& cases) {
+  const std::vector<std::uint32_t> families = families_of(cases);
+  std::vector<std::vector<std::size_t>> members;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    members.resize(std::max<std::size_t>(members.size(), families[i] + 1));
+    members[families[i]].push_back(i);
+  }
+  return members;
+}
+
+/// All in one worker, and again family by family where one of them has spoiled that.
+std::vector<Outcome> run_together(const Build& build, const std::vector<const Case*>& cases,
+                                  const Limits& limits, Company company) {
+  Run run = run_in_one_worker(build, cases, limits, company);
+  const std::vector<std::vector<std::size_t>> families = members_of(cases);
+  if (!run.spoiled || families.size() < 2) return std::move(run.outcomes);
+  Limits share = limits;
+  share.run_seconds = std::max<std::uint32_t>(
+      1, limits.run_seconds / static_cast<std::uint32_t>(families.size()));
+  for (const std::vector<std::size_t>& family : families) {
+    std::vector<const Case*> own;
+    for (std::size_t i : family)
+      own.push_back(cases[i]);
+    Run again = run_in_one_worker(build, own, share, company);
+    for (std::size_t i = 0; i < family.size(); ++i)
+      run.outcomes[family[i]] = std::move(again.outcomes[i]);
+  }
+  return std::move(run.outcomes);
+}
+
 }  // namespace
 
 std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
                                const Limits& limits, Company company) {
-  Run run = run_together(build, cases, limits, company);
-  const std::vector<std::uint32_t> families = families_of(cases);
-  const std::set<std::uint32_t> numbers(families.begin(), families.end());
-  if (!run.spoiled || numbers.size() < 2) return std::move(run.outcomes);
-  Limits share = limits;
-  share.run_seconds = std::max<std::uint32_t>(
-      1, limits.run_seconds / static_cast<std::uint32_t>(numbers.size()));
-  for (std::uint32_t family : numbers) {
-    std::vector<const Case*> own;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      if (families[i] == family) own.push_back(cases[i]);
-    }
-    Run again = run_together(build, own, share, company);
-    auto next = again.outcomes.begin();
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      if (families[i] == family) run.outcomes[i] = std::move(*next++);
-    }
+  std::vector<const Case*> together;
+  for (const Case* c : cases) {
+    if (!c->fresh) together.push_back(c);
   }
-  return std::move(run.outcomes);
+  std::vector<Outcome> outcomes;
+  if (!together.empty()) outcomes = run_together(build, together, limits, company);
+  const std::vector<std::uint32_t> families = families_of(cases);
+  std::set<std::uint32_t> given_up;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!cases[i]->fresh) {
+      if (outcomes[i].ending == Ending::kSkipped) given_up.insert(families[i]);
+      continue;
+    }
+    Outcome outcome;
+    outcome.ending = Ending::kSkipped;
+    if (given_up.count(families[i]) == 0)
+      outcome = run_in_one_worker(build, {cases[i]}, limits, company).outcomes.at(0);
+    outcomes.insert(outcomes.begin() + static_cast<std::ptrdiff_t>(i), std::move(outcome));
+  }
+  return outcomes;
 }
 
 }  // namespace meshgrade

@@ -10,6 +10,7 @@
 #include "grader/base/text.h"
 #include "grader/submission/archive.h"
 #include "grader/submission/dialect.h"
+#include "grader/submission/text_encoding.h"
 
 namespace meshgrade {
 namespace {
@@ -67,11 +68,15 @@ std::vector<fs::path> folders_in(const std::vector<fs::path>& folders) {
   static const std::set<std::string> others{"CGL", "ext", "build", "deps", "docs"};
   std::vector<fs::path> found;
   for (const fs::path& folder : folders) {
-    for (const fs::path& entry : list(folder)) {
-      if (is_hidden(entry) || others.count(entry.filename().string()) != 0) continue;
-      if (is_folder(entry)) found.push_back(entry);
+    std::error_code error;  // what cannot be read is nobody's homework
+    for (fs::directory_iterator it(folder, error), end; !error && it != end;
+         it.increment(error)) {
+      const std::string name = it->path().filename().string();
+      if (is_hidden(name) || others.count(name) != 0 || !is_folder(it->path())) continue;
+      found.push_back(it->path());
     }
   }
+  std::sort(found.begin(), found.end());
   return found;
 }
 
@@ -96,6 +101,27 @@ fs::path enter_course_project(const fs::path& folder) {
   return folder;
 }
 
+/// As compilers read it, or a note why it is left out.
+bool read_text(std::string bytes, const std::string& name, Submission& submission,
+               std::string& text) {
+  const TextEncoding encoding = encoding_of(bytes);
+  if (encoding == TextEncoding::kUtf32) {
+    submission.notes.push_back(name +
+                               " is left out: it is saved as UTF-32, which no compiler "
+                               "reads; save it as UTF-8");
+    return false;
+  }
+  if (encoding == TextEncoding::kBytes) {
+    text = std::move(bytes);
+    return true;
+  }
+  submission.notes.push_back(name +
+                             " is saved as UTF-16 and read as UTF-8 here; your own compiler "
+                             "will not read it: save it as UTF-8");
+  text = utf16_to_utf8(bytes, encoding);
+  return true;
+}
+
 /// The file's text, or a note why it is left out.
 bool read_file(const fs::path& file, const SubmissionRules& rules, Submission& submission,
                std::string& text) {
@@ -117,8 +143,7 @@ bool read_file(const fs::path& file, const SubmissionRules& rules, Submission& s
     submission.notes.push_back(name + " is left out: it cannot be read");
     return false;
   }
-  text = bytes.str();
-  return true;
+  return read_text(bytes.str(), name, submission, text);
 }
 
 /// Names go to the compiler and into messages: only plain ones are taken.
@@ -203,7 +228,11 @@ void add_folder(const fs::path& path, const SubmissionRules& rules, int archives
   const fs::path folder = enter_course_project(unwrap(path));
   if (archives == 0) submission.folder = folder;
   std::vector<fs::path> found;
-  for (const fs::path& file : list(folder)) {
+  std::vector<fs::path> files = list(folder);
+  std::stable_partition(files.begin(), files.end(), [](const fs::path& file) {
+    return file.stem() == "student_code";  // first, since the number of files is limited
+  });
+  for (const fs::path& file : files) {
     std::error_code error;
     if (is_hidden(file)) continue;
     add_file(file, rules, submission);

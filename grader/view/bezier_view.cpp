@@ -180,8 +180,8 @@ PatchLook look_at_patches(const StudentProgram& program, const std::vector<Contr
 }
 
 Json view_curve(const StudentProgram& program, const Json& request) {
-  const CurveLook look = look_at_curve(
-      program, request.at("points").get<std::vector<Point2>>(), request.at("t").get<double>());
+  const CurveLook look = look_at_curve(program, request.at("points").get<std::vector<Point2>>(),
+                                       request.at("t").get<double>());
   return {{"told", to_json_value(look.told)},
           {"levels", look.levels},
           {"exact", look.exact},

@@ -14,9 +14,10 @@ struct CurveLook {
   std::vector<Point2> points;               ///< the control points
   double t = 0.5;                           ///< where the levels are
   std::vector<std::vector<Point2>> levels;  ///< of de Casteljau's algorithm, as far as it came
-  std::vector<std::optional<Point2>> curve;  ///< at evenly spaced parameters, where it came to one
-  std::vector<Point2> exact;                ///< the same by Bernstein's polynomials
-  CaseReport told;                          ///< what the judge says of the levels
+  std::vector<std::optional<Point2>>
+      curve;                  ///< at evenly spaced parameters, where it came to one
+  std::vector<Point2> exact;  ///< the same by Bernstein's polynomials
+  CaseReport told;            ///< what the judge says of the levels
 };
 
 /// @throws UserError unless there are 2 to 40 finite points and 0 <= t <= 1

@@ -19,11 +19,19 @@ struct Theme {
   const char* result;
   std::array<const char*, 3> levels;
 };
-constexpr Theme kLight{"#fbfcfd", "#2a3440", "#4a5560",
-                       "#c9d2dc", "#0a5ca8", "#c03a00",
+constexpr Theme kLight{"#fbfcfd",
+                       "#2a3440",
+                       "#4a5560",
+                       "#c9d2dc",
+                       "#0a5ca8",
+                       "#c03a00",
                        {"#00745a", "#8a5a00", "#7a3fa0"}};
-constexpr Theme kDark{"#171b20", "#dfe5eb", "#b4bec9",
-                      "#3d4854", "#7fbcf5", "#ff8f5a",
+constexpr Theme kDark{"#171b20",
+                      "#dfe5eb",
+                      "#b4bec9",
+                      "#3d4854",
+                      "#7fbcf5",
+                      "#ff8f5a",
                       {"#5fd3b0", "#f0bd5a", "#c79bf0"}};
 
 class CurveArtist {
@@ -39,8 +47,8 @@ class CurveArtist {
       }
     }
     const auto [width, height] = std::pair(0.5 * request.size.width, 0.5 * request.size.height);
-    const double reach = std::max(
-        {(high[0] - low[0]) / width, (high[1] - low[1]) / height, 1e-12});
+    const double reach =
+        std::max({(high[0] - low[0]) / width, (high[1] - low[1]) / height, 1e-12});
     scale_ = 1.66 / reach;
     middle_ = {width - scale_ * 0.5 * (low[0] + high[0]),
                height + scale_ * 0.5 * (low[1] + high[1])};

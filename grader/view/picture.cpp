@@ -118,8 +118,7 @@ MeshDump drawn_surface(const PatchLook& look) {
   for (const std::vector<std::optional<Point3>>& grid : look.grids) {
     const auto first = static_cast<Ref>(mesh.vertices.size());
     for (const std::optional<Point3>& p : grid) {
-      mesh.vertices.push_back(
-          {kUnsetRef, p ? 1U : 0U, p.value_or(Point3{0.0, 0.0, 0.0})});
+      mesh.vertices.push_back({kUnsetRef, p ? 1U : 0U, p.value_or(Point3{0.0, 0.0, 0.0})});
     }
     for (std::size_t c = 0; c + side + 1 < grid.size(); ++c) {
       const std::array<std::size_t, 4> corners{c, c + 1, c + side + 1, c + side};

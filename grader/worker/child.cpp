@@ -279,8 +279,7 @@ void run_tasks(const TaskList& list, const std::set<std::uint32_t>& given_up,
     } else {
       run_task(task);
     }
-  } while (!list.alone && shared.tasks_done < list.tasks.size() &&
-           !list.tasks[shared.tasks_done].fresh);
+  } while (!list.alone && shared.tasks_done < list.tasks.size());
   ::_exit(kTaskRecordedStatus);
 }
 

@@ -21,7 +21,7 @@ namespace {
 }  // namespace
 
 // The names are the library's, so they cannot be ours.
-// NOLINTBEGIN(cert-dcl58-cpp,bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
+// NOLINTBEGIN(cert-dcl58-cpp,bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 #if defined(__GLIBCXX__)
 namespace std {
 [[noreturn]] void __glibcxx_assert_fail(const char* /*file*/, int /*line*/,
@@ -44,4 +44,4 @@ void std::__libcpp_verbose_abort(const char* format, ...)
   refuse(text);
 }
 #endif
-// NOLINTEND(cert-dcl58-cpp,bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
+// NOLINTEND(cert-dcl58-cpp,bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)

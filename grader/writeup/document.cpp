@@ -101,9 +101,10 @@ std::string to_html(const Writeup& writeup) {
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-      html_text(writeup.title) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n<h1>" +
-      html_text(writeup.title) + "</h1>\n<p class=\"asks\">Pictures by the functions of " +
-      html_text(writeup.submission) + ".</p>\n";
+      html_text(writeup.title) + "</title>\n<style>" + kStyle +
+      "</style>\n</head>\n<body>\n<h1>" + html_text(writeup.title) +
+      "</h1>\n<p class=\"asks\">Pictures by the functions of " + html_text(writeup.submission) +
+      ".</p>\n";
   for (const WriteupPart& part : writeup.parts) {
     text += "\n<h2>" + html_text(part.heading) + "</h2>\n";
     if (!part.asks.empty()) text += "<p class=\"asks\">" + html_text(part.asks) + "</p>\n";

@@ -20,9 +20,10 @@ std::string trouble(const CaseReport& told, const std::string& step) {
   if (!told.findings.empty()) {
     const Finding& finding = told.findings[0].finding;
     lines.push_back(finding.rule + (finding.meaning.empty() ? "" : ": " + finding.meaning));
-    const std::pair<const char*, const std::string*> parts[] = {{"at ", &finding.element},
-                                                               {"expected ", &finding.expected},
-                                                               {"yours ", &finding.actual}};
+    const std::pair<const char*, const std::string*> parts[] = {
+        {"at ", &finding.element},
+        {"expected ", &finding.expected},
+        {"yours ", &finding.actual}};
     for (const auto& [name, text] : parts) {
       if (!text->empty()) lines.push_back(name + *text);
     }
@@ -101,9 +102,7 @@ class PictureMaker {
         normals = session.normals_by_number(asked);
       }
     }
-    const auto page = [&] {
-      return picture_page(session, plan.request, normals, setup_.page);
-    };
+    const auto page = [&] { return picture_page(session, plan.request, normals, setup_.page); };
     const auto svg = [&] { return picture_svg(session, plan.request, normals); };
     return written(plan, {page, svg}, told);
   }

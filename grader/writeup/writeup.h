@@ -21,7 +21,8 @@ struct WriteupSetup {
 };
 
 /// Makes all pictures of a rubric by the student's own functions. A step that goes wrong is
-/// shown as it went: the mesh as it was left behind, or the one before, and what the judge says.
+/// shown as it went: the mesh as it was left behind, or the one before, and what the judge
+/// says.
 /// @param program  is built
 /// @param say      is told of each picture when it is there
 Writeup make_writeup(const WriteupRubric& rubric, StudentProgram& program,

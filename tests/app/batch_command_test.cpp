@@ -47,6 +47,22 @@ TEST_F(BatchCommand, ListShowsWhoAndWhatIsLeftOutAndWritesNothing) {
   EXPECT_FALSE(fs::exists(results_));
 }
 
+TEST_F(BatchCommand, ListMarksWhoIsLate) {
+  write_file(class_ / "leeann_LATE_1_2_edge_flip.cpp", "int a;\n");
+  write_file(class_ / "rossbob_3_4_edge_flip.cpp", "int a;\n");
+  for (const char* other : {"ann", "bob", "notes.md"})
+    fs::remove_all(class_ / other);
+  const std::string known = batch({"--list"}).output;
+  EXPECT_THAT(known, HasSubstr("files edge_flip.cpp\n    at    (late)\n"));
+  const std::string file = (scratch_.path() / "late.toml").string();
+  write_file(file,
+             read_whole_file(std::string(MESHGRADE_SOURCE_DIR) + "/grader/assignment.toml") +
+                 "\n[late]\ndue = 2026-03-01T12:00:00Z\nper_day = 5\n");
+  const std::string ruled = batch({"--list", "--assignment", file}).output;
+  EXPECT_THAT(ruled, HasSubstr("(late): late by the platform, which tells no time"));
+  EXPECT_THAT(ruled, HasSubstr("at    no time is known: nothing is taken off"));
+}
+
 TEST_F(BatchCommand, GradesThenKeepsThenExportsAndCompares) {
   const Said first = batch({"-o", results_.string()});
   EXPECT_EQ(first.status, 1) << first.output;

@@ -59,7 +59,7 @@ TEST_F(ReplayCommand, SanitizersNameTheLineOfABufferOverflow) {
       "#include \"meshedit/meshedit.h\"\n"
       "namespace meshedit {\n"
       "std::vector<Vector2D> BezierCurve::evaluateStep(const std::vector<Vector2D>& points) {\n"
-      "  return {points[0] + points[points.size()]};\n"
+      "  return {points[0] + points.data()[points.size()]};\n"
       "}\n"
       "}\n");
   const Said said = call({"replay", "bezier_curve:basic/1", folder_.string(), "--sanitize"});

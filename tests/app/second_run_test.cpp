@@ -192,7 +192,7 @@ TEST_F(SecondRun, CountsWhatTheSubdivisionKeepsFromCallToCall) {
   const SourceFile often =
       spoiled("edge_split.cpp", "return m;", "if (nFaces() < 40) std::abort();\n  ");
   const ExerciseReport report = loop_of(files(flip_, often, wrong));
-  EXPECT_EQ(report.verdict, Verdict::kFailed);
+  EXPECT_NE(report.verdict, Verdict::kPassed);
   EXPECT_LT(report.points, report.max_points);
 }
 

@@ -49,6 +49,37 @@ TEST(ClassSummary, CountsAndMeasures) {
   EXPECT_EQ(nlohmann::json::parse(to_json(summary)).at("schema"), "meshgrade-summary/1");
 }
 
+TEST(ClassSummary, LateWorkIsTakenOffVisibly) {
+  GradedClass graded({{"ann", "10"}, {"bob", "0.5"}, {"cem", "8"}});
+  Roster roster = read_roster(graded.made.submissions(), {});
+  roster.hand_ins[0].submitted_at = "2026-03-02 13:00:00Z";
+  roster.hand_ins[1].submitted_at = "2026-03-02 13:00:00Z";
+  const auto rule =
+      parse_late_rule("[late]\ndue = 2026-03-01T12:00:00Z\nper_day = \"10 %\"\n", "a.toml");
+  const ClassResults results =
+      collect_results(roster, one_exercise(), {}, graded.made.store(), rule);
+  EXPECT_EQ(results.rows[0].points, 8.0);
+  EXPECT_EQ(results.rows[0].points_before_late(), 10.0);
+  EXPECT_EQ(results.rows[1].points, 0.0) << "never below zero";
+  EXPECT_EQ(results.rows[2].points, 8.0) << "no time is known";
+  const ClassResults read = read_class_results(to_json(results));
+  EXPECT_EQ(read.rows[0].late_deduction, 2.0);
+  EXPECT_EQ(read.rows[0].late_note, "1 day 1 h after it was due");
+  const ClassSummary summary = summarize(results, graded.made.store());
+  EXPECT_EQ(summary.late, 2U);
+  EXPECT_THAT(to_text(summary),
+              HasSubstr("\nLate\n  ann: 10 - 2 = 8 points: 1 day 1 h after it was due\n"));
+  EXPECT_THAT(to_text(summary), HasSubstr("1 hand-in without a time: nothing is taken off"));
+}
+
+TEST(ClassSummary, ResultsOfAnEarlierVersionAreRead) {
+  const GradedClass graded(MadeUpClass::Texts{{"ann", "10"}});
+  nlohmann::json old = nlohmann::json::parse(to_json(graded.results));
+  old["rows"][0].erase("late_deduction");
+  old["rows"][0].erase("late_note");
+  EXPECT_EQ(read_class_results(old.dump()).rows.at(0).points_before_late(), 10.0);
+}
+
 TEST(ClassSummary, AClassOfNobodyHasOne) {
   const ScratchFolder folder;
   const ClassSummary summary = summarize({}, ResultStore(folder.path()));

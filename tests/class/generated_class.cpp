@@ -4,7 +4,6 @@
 #include <functional>
 
 #include "grader/base/safe_file.h"
-#include "grader/base/text.h"
 #include "tests/app/expectation.h"
 #include "tests/support/made_archive.h"
 #include "tests/support/scratch_files.h"
@@ -21,7 +20,7 @@ struct KindOfWork {
   std::string name;
   std::function<void(const fs::path& folder)> make;
   std::string status;
-  std::string points;
+  PointsRange points;
   std::string verdict;
 };
 
@@ -36,17 +35,25 @@ std::string reference_flip() {
 }
 
 KindOfWork right(const std::string& name, const std::function<void(const fs::path&)>& make) {
-  return {name, make, "graded", "20", "passed"};
+  return {name, make, "graded", {20, 20}, "passed"};
 }
 
 KindOfWork ungradable(const std::string& name,
                       const std::function<void(const fs::path&)>& make) {
-  return {name, make, "ungradable", "0", ""};
+  return {name, make, "ungradable", {0, 0}, ""};
 }
 
 KindOfWork zero(const std::string& name, const std::string& verdict, const std::string& text) {
-  return {name, [text](const fs::path& f) { write_file(f / "edge_flip.cpp", text); }, "graded",
-          "0", verdict};
+  return {name,
+          [text](const fs::path& f) { write_file(f / "edge_flip.cpp", text); },
+          "graded",
+          {0, 0},
+          verdict};
+}
+
+PointsRange expected_points(const Expectation& expected) {
+  const double least = expected.points.value_or(-1.0);
+  return {least, expected.most_points.value_or(least)};
 }
 
 void add_known_wrong(std::vector<KindOfWork>& kinds) {
@@ -56,7 +63,7 @@ void add_known_wrong(std::vector<KindOfWork>& kinds) {
     const Expectation expected = read_expectation(from);
     kinds.push_back({from.lexically_relative(kSource / "tests" / "submissions").string(),
                      [from](const fs::path& folder) { copy_sources(from, folder); }, "graded",
-                     number_text(expected.points.value_or(-1.0)), expected.verdict});
+                     expected_points(expected), expected.verdict});
   }
 }
 
@@ -164,6 +171,7 @@ name = "edge_flip"
 [[exercise.group]]
 name = "basic"
 points = 14
+partial = "pointers"
 [[exercise.group]]
 name = "boundary"
 points = 3

@@ -9,13 +9,19 @@
 
 namespace meshgrade {
 
+/// The points that a submission must get: one number unless the two differ.
+struct PointsRange {
+  double least = 0.0;
+  double most = 0.0;
+};
+
 /// One student and what must come of their work.
 struct GeneratedStudent {
   std::string id;                ///< "student017"
   std::string kind;              ///< "wrong/edge_flip/next_wrong"
   std::filesystem::path folder;  ///< what was handed in
   std::string status;            ///< "graded" or "ungradable"
-  std::string points;            ///< "14"
+  PointsRange points;            ///< of the 20 for edge_flip
   std::string verdict;           ///< of the exercise; empty if ungradable
 };
 

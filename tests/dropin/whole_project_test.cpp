@@ -108,5 +108,16 @@ TEST(WholeProject, ManyFilesOfTheCourseAreToldInOneLine) {
     EXPECT_LT(note.size(), 160U) << note;
 }
 
+TEST(WholeProject, TheStudentsFilesCountFirst) {
+  const ScratchFolder folder;
+  put_into_course_project(kHomework / "since_2020", folder.path());
+  SubmissionRules rules;
+  rules.files = 2;
+  const Submission submission = find_submission(folder.path(), rules);
+  ASSERT_EQ(submission.sources.size(), 1U);
+  EXPECT_EQ(submission.sources[0].name, "student_code.cpp");
+  EXPECT_EQ(submission.headers.size(), 1U);
+}
+
 }  // namespace
 }  // namespace meshgrade

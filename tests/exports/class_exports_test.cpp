@@ -5,6 +5,7 @@
 
 #include "grader/base/csv.h"
 #include "grader/exports/exports.h"
+#include "tests/exports/made_up_report.h"
 #include "tests/support/user_error.h"
 
 namespace meshgrade {
@@ -119,6 +120,58 @@ TEST(CanvasExport, FillsOneColumnOfTheGradebook) {
                           "dan gets 0 points (ungradable: no sources)"));
 }
 
+/// As accounts export it that show names in two columns.
+TEST(CanvasExport, NamesMayStandInTwoColumns) {
+  const std::string gradebook =
+      "LastName,FirstName,ID,SIS User ID,SIS Login ID,Section,Bezier (55),Current Score\r\n"
+      "    Points Possible,,,,,,100,(read only)\r\n"
+      "Doe,Ann,101,s101,ann,A,,\r\n"
+      "Roe,Bob,9,102,bob,A,5.00,\r\n"
+      "Lee,Nobody,103x,s103,lee,A,,\r\n";
+  const Exported exported = write("canvas", with_gradebook(gradebook));
+  EXPECT_EQ(exported.text,
+            "LastName,FirstName,ID,SIS User ID,SIS Login ID,Section,Bezier (55)\r\n"
+            "    Points Possible,,,,,,100\r\n"
+            "Doe,Ann,101,s101,ann,A,87.5\r\n"
+            "Roe,Bob,9,102,bob,A,105\r\n"
+            "Lee,Nobody,103x,s103,lee,A,\r\n");
+  EXPECT_EQ(user_error([&] {
+              write("canvas", with_gradebook("LastName,ID,Section,Bezier (55)\r\n"));
+            }).substr(0, 46),
+            "the gradebook is not one that Canvas exports: ");
+}
+
+TEST(CanvasExport, WhoIsExcusedStaysSoAndIsNamed) {
+  const Exported exported = write("canvas", with_gradebook("Student,ID,Section,Bezier (55)\r\n"
+                                                           "Ann,101,A,EX\r\n"
+                                                           "Bob,102,A,3\r\n"
+                                                           "Eve,999,A,ex\r\n"));
+  EXPECT_EQ(exported.text,
+            "Student,ID,Section,Bezier (55)\r\nAnn,101,A,EX\r\nBob,102,A,105\r\n"
+            "Eve,999,A,ex\r\n");
+  EXPECT_THAT(exported.notes,
+              testing::IsSupersetOf({"ann is excused in Canvas (EX): left as it is",
+                                     "999 is excused in Canvas (ex): left as it is"}));
+}
+
+TEST(Exports, LateWorkIsMarkedWithWhatIsTakenOff) {
+  ClassResults results = made_up_class();
+  results.rows[0].late = true;
+  results.rows[0].points = 77.5;
+  results.rows[0].late_deduction = 10.0;
+  results.rows[0].late_note = "2 h after it was due";
+  const Exported canvas = find_class_export("canvas")->write(
+      results, with_gradebook("Student,ID,Section,Bezier (55)\r\nAnn,101,A,\r\n"));
+  EXPECT_THAT(canvas.text, HasSubstr("Ann,101,A,77.5\r\n"));
+  EXPECT_THAT(canvas.notes,
+              testing::Contains("ann is late: 87.5 - 10 = 77.5 points: 2 h after it was due"));
+  const auto all = rows(find_class_export("csv")->write(results, {}).text);
+  const std::size_t columns = all[0].size();
+  EXPECT_THAT(all[1][columns - 3], "87.5");
+  EXPECT_THAT(all[1][columns - 2], "10");
+  EXPECT_THAT(all[1][columns - 1], "2 h after it was due");
+}
+
 TEST(CanvasExport, FullPointsThatCanvasDoesNotExpectAreNoted) {
   std::string gradebook = kCanvasGradebook;
   gradebook.replace(gradebook.find("10,100,"), 7, "10,80.00,");
@@ -174,6 +227,44 @@ TEST(MoodleExport, ChangesOnlyTheGrades) {
   EXPECT_THAT(exported.notes,
               ElementsAre("cem has no grade (grader error): none is written to the worksheet",
                           "dan is not in the worksheet: no grade is written"));
+}
+
+TEST(MoodleExport, FeedbackGoesIntoTheCommentsAndReplacesOnlyItself) {
+  const std::string head =
+      "Identifier,Full name,Grade,Maximum Grade,Last modified (grade),Feedback comments\r\n";
+  const std::string sheet = head + "Participant 101,Ann,,110,-,\r\n" +
+                            "Participant 102,Bob,,110,-,see me\r\n" +
+                            "Participant 103,Eve,,110,-,\"Points: 3 of 100, earlier\"\r\n" +
+                            "Participant 104,Cem,,110,-,\r\n";
+  ExportOptions options = with_gradebook(sheet);
+  options.feedback = {{"ann", "Points: 87.5 of 100<br />\"x\""}, {"team", "Points: 100"}};
+  const Exported exported = write("moodle", options);
+  EXPECT_EQ(exported.text,
+            head + "Participant 101,Ann,87.5,110,-,\"Points: 87.5 of 100<br />\"\"x\"\"\"\r\n" +
+                "Participant 102,Bob,105,110,-,see me\r\n" +
+                "Participant 103,Eve,105,110,-,Points: 100\r\n" +
+                "Participant 104,Cem,,110,-,\r\n");
+  EXPECT_THAT(exported.notes, testing::Contains("team has a comment in Moodle already: it is "
+                                                "left as it is"));
+  options.gradebook = "Identifier,Full name,Grade\r\nParticipant 101,Ann,\r\n";
+  EXPECT_THAT(user_error([&] { write("moodle", options); }),
+              HasSubstr("no column \"Feedback comments\""));
+  options.gradebook = "Identifier,Name,Grade,Rueckmeldung\r\nParticipant 101,Ann,,\r\n";
+  options.feedback_column = "Rueckmeldung";
+  EXPECT_THAT(write("moodle", options).text, HasSubstr("Ann,87.5,\"Points"));
+}
+
+TEST(Feedback, SaysPointsAndTheFirstFaultAndEscapesAllOfTheStudents) {
+  const ClassResults results = made_up_class();
+  const Report report = made_up_report();
+  const std::string html = feedback_html(results.rows[0], results, &report);
+  EXPECT_EQ(html.rfind("Points: 87.5 of 100<br />Edge flip: 14 of 20", 0), 0U) << html;
+  EXPECT_THAT(html, HasSubstr("face(next(h)) = face(h)"));
+  EXPECT_THAT(html, testing::Not(HasSubstr("<script")));
+  EXPECT_EQ(html.find('\n'), std::string::npos);
+  EXPECT_EQ(feedback_html(results.rows[3], results, nullptr),
+            "Points: 0 of 100<br />Not graded: no sources");
+  EXPECT_EQ(feedback_html(results.rows[2], results, nullptr), "") << "a fault of the grader";
 }
 
 TEST(MoodleExport, KeepsADecimalComma) {

@@ -13,6 +13,7 @@
 #include "grader/base/errors.h"
 #include "grader/base/process.h"
 #include "grader/base/text.h"
+#include "grader/package/package_files.h"
 
 namespace meshgrade {
 namespace {
@@ -142,6 +143,28 @@ TEST_F(Handout, LeavesTheSeedOfHiddenCasesBehindWhereverItLies) {
     EXPECT_FALSE(fs::exists(target / seed));
     fs::remove(project / seed);
   }
+}
+
+TEST_F(Handout, HasTheInstructorsMeshesButNotTheHiddenOnes) {
+  const fs::path course = scratch_.path() / "course";
+  fs::create_directories(course / "ours");
+  for (const char* name : {"seen.obj", "secret.obj"})
+    fs::copy_file(kProject / "meshes" / "fan.obj", course / "ours" / name);
+  std::ofstream(course / "a.toml")
+      << "version = 1\ntitle = \"T\"\nseed = 1\n[[exercise]]\nname = \"edge_flip\"\n"
+         "[[exercise.group]]\nname = \"basic\"\npoints = 1\n"
+         "[[exercise.group.mesh]]\nfile = \"ours/seen.obj\"\n"
+         "[[exercise.group.mesh]]\nfile = \"ours/secret.obj\"\nhidden = true\n";
+  const fs::path target = scratch_.path() / "with_meshes";
+  write_handout(kProject, course / "a.toml", target);
+  EXPECT_TRUE(fs::exists(target / "grader" / "ours" / "seen.obj"));
+  EXPECT_FALSE(fs::exists(target / "grader" / "ours" / "secret.obj"));
+  const Assignment read = read_assignment(target / "grader" / "assignment.toml");
+  EXPECT_TRUE(read.own_meshes().at(0).is_there);
+  EXPECT_FALSE(read.own_meshes().at(1).is_there);
+  const std::vector<PackagePart> parts =
+      assignment_parts(read_assignment(course / "a.toml"), course / "a.toml", "a.toml", true);
+  EXPECT_EQ(parts.size(), 3U) << "an autograder that students cannot look into has all";
 }
 
 TEST_F(Handout, IsNotWrittenOverAFolderWithFiles) {

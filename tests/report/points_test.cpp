@@ -139,6 +139,13 @@ TEST_F(Points, ExcusedCasesDoNotCount) {
   EXPECT_EQ(exercise().verdict, Verdict::kPassed);
 }
 
+TEST_F(Points, AnExerciseWithoutAJudgedCaseIsNotPassed) {
+  add(group("none", 3), {kNone, kNone});
+  for (JudgedCase& c : judged_.cases)
+    c.judgement.excused = true;
+  EXPECT_EQ(exercise().verdict, Verdict::kNotJudged);
+}
+
 TEST_F(Points, ReportIsTheSumOfItsExercises) {
   add(group("basic", 6), {kPass});
   EXPECT_EQ(report().points, 12.0);

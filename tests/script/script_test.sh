@@ -33,7 +33,8 @@ stand_in cmake <<'END'
 echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt
 END
 stand_in dpkg-query <<'END'
-[ "${@: -1}" != "$MISSING" ] && printf installed
+case " $MISSING " in *" ${@: -1} "*) exit 1 ;; esac
+printf installed
 END
 stand_in ninja <<'END'
 echo "[1/1] Linking"
@@ -72,7 +73,7 @@ missing_package_without_root_is_named() {
   [ "$code" = 2 ] || fail "exit code $code, not 2"
   [ -z "$out" ] || fail "stdout is not empty"
   err_has 'sudo apt-get install --no-install-recommends libosd-dev'
-  ! was_called 'apt-get' || fail "apt-get was called"
+  ! was_called 'apt-get install -y' || fail "something was installed"
   ! was_called 'cmake' || fail "it went on to build"
 }
 
@@ -83,6 +84,37 @@ missing_package_is_installed_by_root() {
   was_called 'install -y --no-install-recommends libosd-dev
 ' || fail "apt-get was not asked for the missing package alone"
   [ "$out" = '<check>' ] || fail "the program did not run"
+}
+
+# This Debian knows all packages but similarity-tester.
+without_similarity_tester() {
+  MISSING='libgtest-dev similarity-tester'
+  stand_in apt-cache <<<'echo "500 http://mirror.example/debian"'
+  stand_in apt-get <<<'case $* in *install*similarity-tester*) exit 100 ;; esac'
+  stand_in ctest </dev/null
+}
+
+package_that_the_system_lacks_keeps_no_other_back() {
+  without_similarity_tester
+  stand_in id <<<'echo 0'
+  call "$project/meshgrade" self-test -R EdgeFlip
+  [ "$code" = 0 ] || fail "exit code $code"
+  err_has 'there is no package similarity-tester on this system'
+  was_called 'install -y --no-install-recommends libgtest-dev
+' || fail "the other package was not installed"
+}
+
+package_that_the_system_lacks_is_not_asked_for() {
+  without_similarity_tester
+  call "$project/meshgrade" self-test -R EdgeFlip
+  [ "$code" = 2 ] || fail "exit code $code, not 2"
+  case $(cat "$scratch/err") in
+    *'sudo apt-get install --no-install-recommends libgtest-dev') ;;
+    *) fail "not just this package was asked for" ;;
+  esac
+  MISSING=similarity-tester
+  call "$project/meshgrade" self-test -R EdgeFlip
+  [ "$code" = 0 ] || fail "exit code $code, though nothing can be installed"
 }
 
 arguments_reach_the_program_through_links() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -30,11 +31,11 @@ inline const std::vector<NamedMesh>& triangle_meshes() {
   return meshes;
 }
 
-inline const PolygonMesh& triangle_mesh(const std::string& name) {
+inline const PolygonMesh& triangle_mesh(const char* name) {
   for (const NamedMesh& named : triangle_meshes()) {
     if (named.name == name) return named.mesh;
   }
-  throw std::out_of_range("no mesh " + name);
+  throw std::out_of_range(std::string("no mesh ") + name);
 }
 
 }  // namespace meshgrade

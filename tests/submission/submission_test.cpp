@@ -55,6 +55,59 @@ TEST_F(FindSubmission, FolderThatOnlyWrapsAnotherIsLookedThrough) {
   EXPECT_EQ(names(find().sources), (Names{"a.cpp"}));
 }
 
+/// The units of a text below U+10000, lower or higher byte first.
+std::string utf16(const std::u16string& text, bool little, bool marked) {
+  std::string bytes;
+  for (const char16_t unit : (marked ? u"\uFEFF" : u"") + text) {
+    const char low = static_cast<char>(unit & 0xFF);
+    const char high = static_cast<char>(unit >> 8);
+    bytes += little ? std::string{low, high} : std::string{high, low};
+  }
+  return bytes;
+}
+
+TEST_F(FindSubmission, Utf16OfVisualStudioBecomesUtf8WithTheSameLines) {
+  const std::u16string text =
+      u"// Gr\u00F6\u00DFe \u2192 \U0001F600\r\nint a;\r\n\r\nint b;\r\n";
+  for (const bool little : {true, false}) {
+    for (const bool marked : {true, false}) {
+      add("a.cpp", utf16(text, little, marked));
+      add("a.h", utf16(text, little, marked));
+      const Submission submission = find();
+      const std::string expected =
+          "// Gr\xC3\xB6\xC3\x9F"
+          "e \xE2\x86\x92 \xF0\x9F\x98\x80\r\nint a;\r\n\r\nint b;\r\n";
+      EXPECT_EQ(submission.sources.at(0).text, expected);
+      EXPECT_EQ(submission.headers.at(0).text, expected);
+      ASSERT_EQ(submission.notes.size(), 2U);
+      EXPECT_EQ(submission.notes[0].find("a.cpp is saved as UTF-16"), 0U);
+    }
+  }
+}
+
+TEST_F(FindSubmission, Utf16ThatIsCutOffIsNoDisaster) {
+  add("a.cpp", utf16(u"int a;\n", true, true) + std::string("\x00\xD8", 2) + "x");
+  EXPECT_EQ(find().sources.at(0).text, "int a;\n\xEF\xBF\xBD");
+}
+
+TEST_F(FindSubmission, OtherBytesStayAsTheyAre) {
+  for (const std::string& text :
+       {std::string("int \xE4;\n"), std::string("\xEF\xBB\xBFint a;\n"), std::string(),
+        std::string("a"), std::string("int a\0b;\n", 9)}) {
+    add("a.cpp", text);
+    EXPECT_EQ(find().sources.at(0).text, text);
+    EXPECT_TRUE(find().notes.empty());
+  }
+}
+
+TEST_F(FindSubmission, Utf32IsLeftOutInOneSentence) {
+  add("a.cpp");
+  add("b.cpp", std::string("\xFF\xFE\0\0i\0\0\0", 8));
+  EXPECT_EQ(names(find().sources), (Names{"a.cpp"}));
+  EXPECT_EQ(find().notes, (Names{"b.cpp is left out: it is saved as UTF-32, which no compiler "
+                                 "reads; save it as UTF-8"}));
+}
+
 TEST_F(FindSubmission, TwoFoldersAreNotGuessedAt) {
   add("one/a.cpp");
   add("two/a.cpp");

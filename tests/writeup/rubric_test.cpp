@@ -37,9 +37,8 @@ std::string error_of(const std::string& pictures) {
 }
 
 TEST(WriteupRubric, TheStandardOneCanBeRead) {
-  const WriteupRubric rubric =
-      read_rubric(std::string(MESHGRADE_SOURCE_DIR) + "/docs/writeup_rubric.toml",
-                  test_home().meshes);
+  const WriteupRubric rubric = read_rubric(
+      std::string(MESHGRADE_SOURCE_DIR) + "/docs/writeup_rubric.toml", test_home().meshes);
   EXPECT_EQ(rubric.parts.size(), 6U);
   for (const RubricPart& part : rubric.parts)
     EXPECT_FALSE(part.pictures.empty()) << part.heading;
@@ -53,10 +52,12 @@ TEST(WriteupRubric, EachLevelOfACurveIsAPictureOfItsOwn) {
 }
 
 TEST(WriteupRubric, WhatIsWrongIsToldWithItsLine) {
-  EXPECT_THAT(error_of(picture("mesh", "none.obj", "")), HasSubstr("r.toml:9: part.picture.file"));
+  EXPECT_THAT(error_of(picture("mesh", "none.obj", "")),
+              HasSubstr("r.toml:9: part.picture.file"));
   EXPECT_THAT(error_of(picture("mesh", "cube.obj", "steps = \"fold e3\"")),
               HasSubstr("r.toml:10: part.picture.steps"));
-  EXPECT_THAT(error_of(picture("mesh", "cube.obj", "shading = \"soft\"")), HasSubstr("r.toml:10"));
+  EXPECT_THAT(error_of(picture("mesh", "cube.obj", "shading = \"soft\"")),
+              HasSubstr("r.toml:10"));
   EXPECT_THAT(error_of(picture("curve", "cube.obj", "")), HasSubstr("r.toml:9"));
   EXPECT_THAT(error_of(picture("curve", "loop_6.bzc", "steps = \"flip e1\"")),
               HasSubstr("r.toml:10: unknown key part.picture.steps"));

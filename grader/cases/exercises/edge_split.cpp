@@ -17,13 +17,7 @@ void add_two_sizes(CaseMaker& maker, Random& random) {
   }
 }
 
-}  // namespace
-
-void make_edge_split_cases(CaseMaker& maker) {
-  for (const char* file : {"two_triangles.obj", "tetrahedron.obj", "octahedron.off", "cube.obj",
-                           "icosahedron.obj", "grid_4x4.obj", "sliver.obj"}) {
-    add_every_edge(maker, "basic", OperationKind::kSplit, file, EdgeChoice::kInner);
-  }
+void add_boundary_cases(CaseMaker& maker) {
   for (const char* group : {"boundary", "boundary_split"}) {
     for (const char* file :
          {"two_triangles.obj", "single_triangle.obj", "grid_4x4.obj", "cylinder.dae"}) {
@@ -39,6 +33,16 @@ void make_edge_split_cases(CaseMaker& maker) {
                              EdgeChoice::kBoundary);
   }
   add_more_boundary_splits(maker, "boundary_split", at_boundary);
+}
+
+}  // namespace
+
+void make_edge_split_cases(CaseMaker& maker) {
+  for (const char* file : {"two_triangles.obj", "tetrahedron.obj", "octahedron.off", "cube.obj",
+                           "icosahedron.obj", "grid_4x4.obj", "sliver.obj"}) {
+    add_every_edge(maker, "basic", OperationKind::kSplit, file, EdgeChoice::kInner);
+  }
+  add_boundary_cases(maker);
   Random random = maker.random("sequences");
   for (const char* file : {"tetrahedron.obj", "octahedron.off", "cube_crossed.obj",
                            "valence_zoo.obj", "grid_4x4.obj", "two_components.obj"}) {

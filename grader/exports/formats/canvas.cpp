@@ -1,6 +1,7 @@
-// Canvas's gradebook import. The first columns say who it is ("Student", "ID", then maybe "SIS
-// User ID", "SIS Login ID", ..., the last of them "Section"); assignments follow as "Title
-// (id)". An unknown title makes Canvas offer to create an assignment. An empty score changes
+// Canvas's gradebook import. The first columns say who it is ("Student", or "LastName" and
+// "FirstName" where an account shows names so; then "ID", maybe "SIS User ID", "SIS Login ID",
+// ..., the last of them "Section"); assignments follow as "Title (id)". A score of "EX" is an
+// excuse. An unknown title makes Canvas offer to create an assignment. An empty score changes
 // nothing. From a downloaded gradebook, only the columns of the students and of this one
 // assignment are written, so that no other grade can change.
 
@@ -48,17 +49,30 @@ std::string text_at(const CsvRecord& record, std::size_t column) {
   return column < record.size() ? record[column].text : std::string();
 }
 
-/// The column of the last information about the student: what follows are assignments.
-std::size_t find_section(const CsvRecord& header) {
-  const bool is_gradebook = header.size() > 2 &&
-                            header[0].text.find("Student") != std::string::npos &&
-                            header[1].text.find("ID") != std::string::npos;
-  for (std::size_t i = 2; is_gradebook && i < header.size(); ++i) {
-    if (header[i].text.find("Section") != std::string::npos) return i;
+/// Where a gradebook tells who it is.
+struct WhoColumns {
+  std::size_t id = 1;
+  std::size_t section = 0;  ///< the last of them: what follows are assignments
+};
+
+WhoColumns find_who(const CsvRecord& header) {
+  const auto holds = [&](std::size_t column, const char* name) {
+    return column < header.size() && header[column].text.find(name) != std::string::npos;
+  };
+  const bool one_name = holds(0, "Student") && holds(1, "ID");
+  const bool two_names = holds(0, "LastName") && holds(1, "FirstName") && holds(2, "ID");
+  const std::size_t id = two_names ? 2 : 1;
+  for (std::size_t i = id + 1; (one_name || two_names) && i < header.size(); ++i) {
+    if (holds(i, "Section")) return {id, i};
   }
   throw UserError(
-      "the gradebook is not one that Canvas exports: its first columns must be Student, ID, "
-      "..., Section; download it in Canvas under Grades, Export");
+      "the gradebook is not one that Canvas exports: its first columns must be Student (or "
+      "LastName, FirstName), ID, ..., Section; download it in Canvas under Grades, Export");
+}
+
+bool is_excused(std::string score) {
+  score.erase(std::remove(score.begin(), score.end(), ' '), score.end());
+  return score == "EX" || score == "ex" || score == "Ex";
 }
 
 bool is_called(const std::string& column, const std::string& name) {
@@ -89,8 +103,8 @@ bool is_points_possible(const CsvRecord& record) {
 }
 
 /// Canvas writes rows that are no students: points possible, manual posting.
-bool is_student(const CsvRecord& record) {
-  return record.size() > 1 && !record[1].text.empty() && !is_points_possible(record);
+bool is_student(const CsvRecord& record, const WhoColumns& who) {
+  return !text_at(record, who.id).empty() && !is_points_possible(record);
 }
 
 class GradebookFilling {
@@ -102,16 +116,16 @@ class GradebookFilling {
     const char separator = csv_separator(options_.gradebook);
     const std::vector<CsvRecord> records = read_csv(options_.gradebook, separator);
     if (records.empty()) throw UserError("the gradebook is empty");
-    const std::size_t section = find_section(records[0]);
-    const std::size_t column = find_column(records[0], section, options_.column);
+    const WhoColumns who = find_who(records[0]);
+    const std::size_t column = find_column(records[0], who.section, options_.column);
     for (std::size_t i = 0; i < records.size(); ++i) {
       std::vector<std::string> fields;
-      for (std::size_t j = 0; j <= section; ++j)
+      for (std::size_t j = 0; j <= who.section; ++j)
         fields.push_back(csv_field(text_at(records[i], j), separator));
-      const bool other = i == 0 || !is_student(records[i]);
+      const bool other = i == 0 || !is_student(records[i], who);
       if (is_points_possible(records[i])) note_scale(text_at(records[i], column));
       fields.push_back(csv_field(
-          other ? text_at(records[i], column) : score(records[i], records[0], section),
+          other ? text_at(records[i], column) : score(records[i], records[0], who, column),
           separator));
       exported_.text += csv_line(fields, separator);
     }
@@ -134,10 +148,17 @@ class GradebookFilling {
   }
 
   /// Canvas itself looks for the ID first, then for the ids of the school.
-  std::string score(const CsvRecord& record, const CsvRecord& header, std::size_t section) {
-    const ClassRow* row = rows_.find(record[1].text);
-    for (std::size_t j = 2; row == nullptr && j < section; ++j) {
+  std::string score(const CsvRecord& record, const CsvRecord& header, const WhoColumns& who,
+                    std::size_t column) {
+    const ClassRow* row = rows_.find(record[who.id].text);
+    for (std::size_t j = who.id + 1; row == nullptr && j < who.section; ++j) {
       if (header[j].text.rfind("SIS", 0) == 0) row = rows_.find(text_at(record, j));
+    }
+    std::string before = text_at(record, column);
+    if (is_excused(before)) {
+      exported_.notes.push_back((row == nullptr ? text_at(record, who.id) : row->key) +
+                                " is excused in Canvas (" + before + "): left as it is");
+      return before;
     }
     return row == nullptr || !row->has_points() ? ""
                                                 : points_to_enter(*row, results_, options_);

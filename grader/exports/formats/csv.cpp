@@ -16,7 +16,7 @@ std::vector<std::string> header(const ClassResults& results) {
     if (exercise.max_extra_points > 0.0) fields.push_back(exercise.name + "_extra");
     fields.push_back(exercise.name + "_verdict");
   }
-  fields.emplace_back("reason");
+  fields.insert(fields.end(), {"reason", "points_before_late", "late_deduction", "late_note"});
   return fields;
 }
 
@@ -42,6 +42,9 @@ std::vector<std::string> line_of(const ClassResults& results, const ClassRow& ro
     fields.push_back(csv_text(exercise.verdict));
   }
   fields.push_back(csv_text(row.reason));
+  fields.push_back(number(row.points_before_late()));
+  fields.push_back(number(row.late_deduction));
+  fields.push_back(csv_text(row.late_note));
   return fields;
 }
 

@@ -53,9 +53,14 @@ class WorksheetFilling {
       if (record.size() <= grade_) continue;
       const std::string grade = grade_for(record);
       if (grade.empty()) continue;
-      exported_.text += sheet_.substr(done, record[grade_].begin - done);
-      exported_.text += csv_field(grade, separator_);
-      done = record[grade_].end;
+      std::map<std::size_t, std::string> changes{{grade_, grade}};
+      const std::string comment = comment_for(record);
+      if (!comment.empty()) changes[comments_] = comment;
+      for (const auto& [column, text] : changes) {
+        exported_.text += sheet_.substr(done, record[column].begin - done);
+        exported_.text += csv_field(text, separator_);
+        done = record[column].end;
+      }
     }
     exported_.text += sheet_.substr(done);
     note_exceptions(
@@ -82,6 +87,7 @@ class WorksheetFilling {
                       "\"; say with --column which one holds the grade, of " +
                       join(names, ", "));
     }
+    find_comments();
     maximum_ = find_column(records_[0], "Maximum Grade");
     if (maximum_ == kNone && grade_ + 1 < records_[0].size()) maximum_ = grade_ + 1;
     for (const CsvRecord& record : records_) {
@@ -91,6 +97,34 @@ class WorksheetFilling {
         comma_ = comma_ || (is_number && record[column].text.find(',') != std::string::npos);
       }
     }
+  }
+
+  void find_comments() {
+    if (options_.feedback.empty()) return;
+    const bool named = !options_.feedback_column.empty();
+    const std::string name = named ? options_.feedback_column : "Feedback comments";
+    comments_ = find_column(records_[0], name);
+    if (comments_ != kNone && comments_ != grade_) return;
+    throw UserError("the worksheet has no column \"" + printable(name) +
+                    "\" for comments; switch on \"Feedback comments\" in the assignment's "
+                    "settings before you download it" +
+                    (named ? "" : ", or say with --feedback-column what it is called"));
+  }
+
+  /// The student's report in short; empty to leave the comment as it is.
+  std::string comment_for(const CsvRecord& record) {
+    if (comments_ >= record.size()) return {};
+    const auto row = people_.find(participant(record[0].text));
+    const auto found = options_.feedback.find(row->second->key);
+    if (found == options_.feedback.end() || found->second.empty()) return {};
+    const std::string& before = record[comments_].text;
+    // One of ours, from an earlier upload, gives way.
+    if (!before.empty() && before.find(kFeedbackStart) == std::string::npos) {
+      exported_.notes.push_back(row->second->key +
+                                " has a comment in Moodle already: it is left as it is");
+      return {};
+    }
+    return found->second;
   }
 
   /// What to write into this record; empty to leave it as it is.
@@ -123,6 +157,7 @@ class WorksheetFilling {
   std::set<const ClassRow*> used_;
   std::size_t grade_ = kNone;
   std::size_t maximum_ = kNone;
+  std::size_t comments_ = kNone;
   bool comma_ = false;  ///< decimal comma
   Exported exported_;
 };

@@ -196,6 +196,11 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
   require_all_steps(task.outcome, input.parameters.size());
 }
 
+std::string called_by(const Case& asked) {
+  return std::string("BezierPatch::") +
+         function_name(from_wire<PatchInput>(asked.input).function);
+}
+
 }  // namespace
 
 ExerciseJudge bezier_patch_judge(const ExerciseRubric& rubric) {
@@ -205,7 +210,7 @@ ExerciseJudge bezier_patch_judge(const ExerciseRubric& rubric) {
   if (bezier_skeleton(rubric) != BezierSkeleton::kCourse2017) {
     functions.insert(functions.begin(), "BezierPatch::evaluateStep");
   }
-  return {functions, {}, judge_steps, known_misconceptions()};
+  return {functions, {}, judge_steps, known_misconceptions(), nullptr, false, {}, called_by};
 }
 
 }  // namespace meshgrade

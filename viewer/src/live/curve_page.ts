@@ -2,12 +2,22 @@
 // student's function gives them.
 
 import { button, el, followPointer, keyButton, replace } from '../dom';
-import { saveFile } from '../model/export';
+import { saveFile, saveSvg } from '../model/export';
 import { History } from '../model/history';
+import { KeyHelp, type KeyRow } from '../panels/key_help';
 import type { Connection, CurveAnswer, Point2 } from './connection';
 import { BezierShell, verdict } from './shell';
 
 const SVG = 'http://www.w3.org/2000/svg';
+const CURVE_KEYS: KeyRow[] = [
+  ['E', 'one more level of de Casteljau, then none again'],
+  ['C', 'the whole curve'],
+  ['A, Delete', 'add a point, remove the chosen one'],
+  ['arrow keys', 'move the chosen point, with Shift further'],
+  ['Z, Y', 'undo, redo'],
+  ['wheel', 'change t'],
+  ['P', 'save the picture'],
+];
 const WIDTH = 1000;
 const HEIGHT = 700;
 
@@ -42,7 +52,8 @@ export class CurvePage {
     this.shell = new BezierShell(app, connection, name);
     this.shell.stage.append(this.picture);
     this.fillFoot();
-    this.shell.files.append(button('Save .bzc', () => this.save()));
+    this.shell.files.append(button('Save .bzc', () => this.save()),
+      keyButton('Save picture', 'P', () => this.savePicture()), new KeyHelp(CURVE_KEYS).button);
     this.picture.addEventListener('wheel', (event) => {
       event.preventDefault();
       this.setT(this.t - Math.sign((event as WheelEvent).deltaY) * 0.01);
@@ -74,6 +85,7 @@ export class CurvePage {
       Delete: () => this.removePoint(),
       z: () => this.turnBack(event.shiftKey ? 'redo' : 'undo'),
       y: () => this.turnBack('redo'),
+      p: () => this.savePicture(),
     };
     const act = acts[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (act) act();
@@ -169,6 +181,10 @@ export class CurvePage {
   private save(): void {
     const lines = this.points.map(([x, y]) => `${x} ${y}`);
     saveFile(this.name, `${this.points.length}\n${lines.join('\n')}\n`);
+  }
+
+  private savePicture(): void {
+    saveSvg(`${this.name.replace(/\.[^.]*$/, '')}.svg`, this.picture);
   }
 
   private place([x, y]: Point2): Point2 {

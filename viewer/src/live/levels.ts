@@ -49,6 +49,11 @@ export class LevelsCover {
       { ids: false, arrows: false, wireframe: options.wireframe });
   }
 
+  /** What is shown; null if nothing is. */
+  snapshot(): HTMLCanvasElement | null {
+    return this.shown ? this.grid.snapshot() : null;
+  }
+
   hide(): void {
     this.element.hidden = true;
     this.grid.clear();

@@ -5,11 +5,22 @@ import { saveFile, toGlb, toObj } from '../model/export';
 import { Mesh } from '../model/mesh';
 import { findingBlock } from '../panels/case_card';
 import type { MeshState } from '../panels/marks';
+import { KeyHelp, VIEW_KEYS, type KeyRow } from '../panels/key_help';
 import { MeshPanel } from '../panels/mesh_panel';
 import { toneOf, verdictTag } from '../panels/verdict';
 import type { Connection, LiveState, StepKind } from './connection';
 import { LevelsCover } from './levels';
 import { buildTag, compilerBanner, output, verdict } from './shell';
+
+const MESH_KEYS: KeyRow[] = [
+  ['F, S', 'flip or split the selected edge'],
+  ['U or L', 'subdivide'],
+  ['Z, Y', 'undo, redo'],
+  ['Q', 'smooth shading by your normals, and the normals'],
+  ['V', 'all levels of subdivision beside each other'],
+  ['D', 'the distance from OpenSubdiv'],
+  ...VIEW_KEYS,
+];
 
 const PLAIN = { broken: [], changes: [], wrong: [] };
 
@@ -52,6 +63,7 @@ export class LivePage {
     this.panel.top.append(el('h2', { class: 'unseen' }, 'The step'), this.banner, this.told);
     this.panel.cover.append(this.levels.element);
     this.panel.coverEye = () => this.levels.eye;
+    this.panel.coverPicture = () => this.levels.snapshot();
     this.panel.onOption = () => void this.drawLevels();
     const head = el('header', { class: 'live-head' },
       el('strong', { class: 'brand' }, 'Meshgrade'), this.title, this.build, this.fileTools());
@@ -59,6 +71,7 @@ export class LivePage {
       el('footer', { class: 'live-foot' }, this.timeline, this.actions())));
     document.addEventListener('keydown', (event) => this.onKey(event));
     connection.listen(() => void this.reload(), (alive) => this.showAlive(alive));
+    this.panel.say('Loading …');
     void this.run(connection.look, true);
   }
 
@@ -77,7 +90,8 @@ export class LivePage {
     return el('span', { class: 'file-tools' },
       button('Open mesh', () => input.click()), input,
       button('Save OBJ', () => mesh() && saveFile(`${stem()}.obj`, toObj(mesh()!))),
-      button('Save GLB', () => mesh() && saveFile(`${stem()}.glb`, toGlb(mesh()!))));
+      button('Save GLB', () => mesh() && saveFile(`${stem()}.glb`, toGlb(mesh()!))),
+      new KeyHelp(MESH_KEYS).button);
   }
 
   private actions(): HTMLElement {
@@ -195,6 +209,7 @@ export class LivePage {
     document.body.classList.add('busy');
     try {
       this.live = await ask();
+      this.panel.say('');
       this.normals = null;
       this.draw(fit);
       if (this.panel.view?.options.smooth) await this.fetchNormals();

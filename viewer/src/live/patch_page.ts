@@ -1,9 +1,10 @@
 // A Bezier surface as the student's evaluate gives it, with its control net.
 
 import { button, el, keyButton, replace } from '../dom';
-import { saveFile } from '../model/export';
+import { saveFile, savePicture } from '../model/export';
 import { Mesh } from '../model/mesh';
 import { meshOfPolygons } from '../model/polygons';
+import { KeyHelp, type KeyRow } from '../panels/key_help';
 import { MeshView } from '../scene/mesh_view';
 import { hasWebGL } from '../scene/webgl';
 import type { SurfaceHit } from '../scene/picking';
@@ -13,6 +14,16 @@ import { NetEditor } from './net_editor';
 import { BezierShell, verdict } from './shell';
 
 const DENSITIES = [4, 8, 16, 32, 64];
+const PATCH_KEYS: KeyRow[] = [
+  ['B, V', 'the control net; the lines along u and v'],
+  ['K', 'the curves at one u and one v'],
+  ['P, Shift P', 'the next point of the net, the one before'],
+  ['arrow keys', 'move the chosen point; without one, turn the view'],
+  ['Page up, down', 'move the chosen point away and towards you'],
+  ['+, -, Space', 'nearer, further, reset'],
+  ['Z, Y', 'undo, redo'],
+  ['Esc', 'choose no point'],
+];
 type Grid = (Point3 | null)[][];
 
 /** The lines of a grid in both directions, as pairs of ends. */
@@ -47,7 +58,7 @@ export class PatchPage {
     const stage = el('div', { class: 'stage' });
     this.shell.stage.append(stage);
     if (hasWebGL()) {
-      this.view = new MeshView(stage);
+      this.view = new MeshView(stage, { upright: 'z' });
       Object.assign(this.view.options, { ids: false, arrows: false, edges: false });
       this.view.onSurface = (hit) => this.point(hit);
     } else {
@@ -57,7 +68,8 @@ export class PatchPage {
     this.isocurves = new Isocurves(nets.length, () => this.askForCurves());
     this.stale = new Set(nets.keys());
     this.fillFoot();
-    this.shell.files.append(button('Save .bez', () => this.save()));
+    this.shell.files.append(button('Save .bez', () => this.save()),
+      button('Save picture', () => this.savePicture()), new KeyHelp(PATCH_KEYS).button);
     document.addEventListener('keydown', (event) => this.onKey(event));
     this.shell.listen(() => {
       this.stale = new Set(nets.keys());
@@ -160,6 +172,10 @@ export class PatchPage {
     const mixed = (of: (k: number) => number): number =>
       hit.vertices.reduce((sum, vertex, i) => sum + hit.shares[i]! * of(vertex % (n * n)), 0) / this.density;
     this.isocurves.moveTo(patch, mixed((k) => k % n), mixed((k) => Math.floor(k / n)));
+  }
+
+  private savePicture(): void {
+    if (this.view) savePicture(`${this.name.replace(/\.[^.]*$/, '')}.png`, this.view.snapshot());
   }
 
   private save(): void {

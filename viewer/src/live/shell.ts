@@ -69,11 +69,16 @@ export class BezierShell {
         el('div', { class: 'side' }, this.status, el('h2', { class: 'unseen' }, 'Your functions'),
           this.banner, this.told, this.lists)),
       el('footer', { class: 'live-foot' }, this.foot)));
+    this.say('Loading …');
     void this.look();
   }
 
   say(text: string): void {
     this.status.textContent = text;
+  }
+
+  private loaded(): void {
+    if (this.status.textContent === 'Loading …') this.say('');
   }
 
   /** Calls back after every build. */
@@ -100,7 +105,7 @@ export class BezierShell {
     while (this.wanted) {
       const next: () => Promise<void> = this.wanted;
       this.wanted = null;
-      await next().catch((error: Error) => this.say(error.message));
+      await next().then(() => this.loaded(), (error: Error) => this.say(error.message));
     }
     this.busy = false;
   }

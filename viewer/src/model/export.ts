@@ -72,6 +72,29 @@ export function toGlb(mesh: Mesh): Uint8Array {
   return bytes;
 }
 
+/** Hands a picture to the browser's downloads, as PNG. */
+export function savePicture(name: string, canvas: HTMLCanvasElement): void {
+  canvas.toBlob((blob) => void blob?.arrayBuffer().then((bytes) => saveFile(name, new Uint8Array(bytes))));
+}
+
+const SVG_STYLES = ['fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-linecap', 'stroke-linejoin', 'opacity'];
+
+/** The same for an SVG picture of the page, with the styles that it has here. */
+export function saveSvg(name: string, picture: SVGElement): void {
+  const copy = picture.cloneNode(true) as SVGElement;
+  const originals = [picture, ...picture.querySelectorAll('*')];
+  [copy, ...copy.querySelectorAll('*')].forEach((element, i) => {
+    const style = getComputedStyle(originals[i]!);
+    for (const property of SVG_STYLES) element.setAttribute(property, style.getPropertyValue(property));
+  });
+  copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+  const ground = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
+  for (const side of ['width', 'height']) ground.setAttribute(side, '100%');
+  ground.setAttribute('fill', getComputedStyle(picture.parentElement!).backgroundColor);
+  copy.prepend(ground);
+  saveFile(name, new XMLSerializer().serializeToString(copy));
+}
+
 /** Hands a file to the browser's downloads. */
 export function saveFile(name: string, content: string | Uint8Array): void {
   const link = document.createElement('a');

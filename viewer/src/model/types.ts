@@ -87,6 +87,8 @@ export interface Group {
   passed: number;
   judged: number;
   cases: number;
+  /** Why it earns nothing, though cases passed. */
+  why?: string;
 }
 export interface Exercise {
   name: string;
@@ -163,6 +165,8 @@ export interface ClassRow {
   points: number;
   extra_points: number;
   exercises: ExercisePoints[];
+  late_deduction: number;
+  late_note: string;
 }
 export interface ExercisePoints {
   name: string;

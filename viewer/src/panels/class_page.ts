@@ -5,6 +5,8 @@ import type { ClassResults, ClassRow } from '../model/types';
 import { points, toneOf } from './verdict';
 
 const name = (row: ClassRow): string => row.people.map((p) => p.name || p.id).join(', ') || row.key;
+/** Those whom the statistics count, here as in summary.txt. */
+const isGraded = (row: ClassRow): boolean => row.status === 'graded';
 const hasPoints = (row: ClassRow): boolean => row.status === 'graded' || row.status === 'ungradable';
 
 function middle(sorted: number[]): number {
@@ -32,8 +34,13 @@ export function histogram(values: number[], most: number): number[] {
   return bins;
 }
 
+/** Points of those who are graded, ascending. Who handed in nothing that can be graded has no part in it. */
+export function gradedPoints(results: ClassResults): number[] {
+  return results.rows.filter(isGraded).map((row) => row.points).sort((a, b) => a - b);
+}
+
 function distribution(results: ClassResults): HTMLElement {
-  const values = results.rows.filter(hasPoints).map((r) => r.points).sort((a, b) => a - b);
+  const values = gradedPoints(results);
   const bins = histogram(values, results.max_points);
   const highest = Math.max(1, ...bins);
   const picture = svg('svg', { viewBox: '0 -10 550 166', role: 'img', class: 'histogram' });
@@ -60,7 +67,7 @@ function distribution(results: ClassResults): HTMLElement {
 }
 
 function exerciseFailures(results: ClassResults): HTMLElement {
-  const graded = results.rows.filter((row) => row.status === 'graded');
+  const graded = results.rows.filter(isGraded);
   const rows = results.exercises.map((exercise, i) => {
     const verdicts = new Map<string, number>();
     let sum = 0;
@@ -104,9 +111,13 @@ function columnsOf(results: ClassResults, links: Record<string, string>): Column
   return [
     { title: 'Name', number: false, value: (row) => name(row).toLowerCase(), cell: link },
     { title: 'Status', number: false, value: (row) => row.status,
-      cell: (row) => el('span', { title: row.reason }, row.status, row.late && el('span', { class: 'tag' }, 'late')) },
+      cell: (row) => el('span', {}, row.status, row.late && el('span', { class: 'tag' }, 'late'),
+        row.reason && el('span', { class: 'quiet' }, ` ${row.reason}`),
+        row.late_note && el('span', { class: 'quiet' }, ` ${row.late_note}`)) },
     { title: 'Points', number: true, value: (row) => (hasPoints(row) ? row.points : -1),
-      cell: (row) => (hasPoints(row) ? el('strong', {}, points(row.points)) : '–') },
+      cell: (row) => (hasPoints(row) ? el('span', {}, el('strong', {}, points(row.points)),
+        row.late_deduction > 0 && el('span', { class: 'quiet' },
+          ` = ${points(row.points + row.late_deduction)} − ${points(row.late_deduction)}`)) : '–') },
     { title: 'Extra', number: true, value: (row) => row.extra_points,
       cell: (row) => (hasPoints(row) ? points(row.extra_points) : '–') },
     ...results.exercises.map((exercise, i): Column => ({

@@ -1,6 +1,7 @@
 // A mesh to look at: the 3D view, the states of one step, and lists of what is wrong with it.
 
-import { button, el, replace } from '../dom';
+import { button, el, keyButton, replace } from '../dom';
+import { savePicture } from '../model/export';
 import { kindName, nameOf, parseElement, type Element } from '../model/mesh';
 import type { Deviation } from '../model/types';
 import { MeshView, type ViewOptions } from '../scene/mesh_view';
@@ -13,6 +14,7 @@ import { brokenRules, changedPointers, elementLink, notChanged } from './pointer
 
 const OPTION_TEXT: [keyof ViewOptions, string, string][] = [
   ['ids', 'Ids', 'I'],
+  ['arrows', 'Arrows', 'A'],
   ['wireframe', 'Wireframe', 'W'],
   ['compare', 'Distance from OpenSubdiv', 'D'],
 ];
@@ -29,6 +31,7 @@ export class MeshPanel {
   readonly cover = el('div', { class: 'cover' });
   /** Where the cover is seen from; null while it is not there. */
   coverEye: () => Viewpoint | null = () => null;
+  coverPicture: () => HTMLCanvasElement | null = () => null;
   onOption: () => void = () => {};
   states: MeshState[] = [];
 
@@ -75,7 +78,12 @@ export class MeshPanel {
     }
     const reset = button('Reset', () => this.eye()?.reset(), { 'aria-keyshortcuts': 'Space' });
     reset.append(' ', el('kbd', {}, 'Space'));
-    this.tools.append(reset);
+    this.tools.append(reset, keyButton('Save picture', 'P', () => this.savePicture()));
+  }
+
+  private savePicture(): void {
+    const canvas = this.coverPicture() ?? this.view?.snapshot();
+    if (canvas) savePicture('mesh.png', canvas);
   }
 
   private finder(): HTMLElement {
@@ -230,6 +238,8 @@ export class MeshPanel {
       h: () => this.follow('halfedge'),
       i: () => this.toggle('ids'),
       w: () => this.toggle('wireframe'),
+      a: () => this.toggle('arrows'),
+      p: () => this.savePicture(),
       d: () => this.toggle('compare'),
       '[': () => this.goTo(this.current - 1),
       ']': () => this.goTo(this.current + 1),

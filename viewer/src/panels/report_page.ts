@@ -67,7 +67,8 @@ function groupTable(exercise: Exercise): HTMLElement {
       el('th', { scope: 'col', class: i > 0 ? 'number' : undefined }, t)))),
     el('tbody', {}, ...exercise.groups.map((g) =>
       el('tr', {},
-        el('th', { scope: 'row' }, g.title === '' ? g.name : g.title, g.extra_credit && el('span', { class: 'tag' }, 'extra credit')),
+        el('th', { scope: 'row' }, g.title === '' ? g.name : g.title, g.extra_credit && el('span', { class: 'tag' }, 'extra credit'),
+          g.why !== undefined && el('span', { class: 'quiet' }, ` ${g.why}`)),
         el('td', { class: 'number' }, `${g.passed} of ${g.judged}`),
         el('td', { class: 'number' }, score(g.points, g.max_points))))));
 }

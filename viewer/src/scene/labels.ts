@@ -59,7 +59,7 @@ function drawLabel(
   colors: Palette,
 ): void {
   const boxed = label.style === 'vertex' || label.style === 'edge' || label.style === 'wrong' || label.style === 'selected';
-  context.font = `${boxed ? '600 ' : ''}${label.style === 'face' ? 12.5 : 11.5}px ${FONT}`;
+  context.font = `${boxed ? '600 ' : ''}13px ${FONT}`;
   if (!boxed) {
     context.lineWidth = 3;
     context.lineJoin = 'round';
@@ -75,7 +75,7 @@ function drawLabel(
   ];
   context.fillStyle = fill;
   context.beginPath();
-  context.roundRect(x - width / 2, y - 9, width, 18, 5);
+  context.roundRect(x - width / 2, y - 10, width, 20, 5);
   context.fill();
   context.fillStyle = colors.ground;
   context.fillText(label.text, x, y + 0.5);

@@ -71,6 +71,30 @@ export class MeshGrid {
     return this.views[0]?.eye ?? null;
   }
 
+  /** All of them with their captions, as one picture. */
+  snapshot(): HTMLCanvasElement {
+    const all = document.createElement('canvas');
+    const whole = this.element.getBoundingClientRect();
+    const ratio = Math.min(2, window.devicePixelRatio);
+    all.width = whole.width * ratio;
+    all.height = whole.height * ratio;
+    const context = all.getContext('2d')!;
+    const style = getComputedStyle(this.element);
+    context.scale(ratio, ratio);
+    context.fillStyle = style.backgroundColor;
+    context.fillRect(0, 0, whole.width, whole.height);
+    context.fillStyle = style.color;
+    context.font = `600 14px ${style.fontFamily}`;
+    context.textAlign = 'center';
+    for (const view of this.views) {
+      const box = view.canvas.getBoundingClientRect();
+      context.drawImage(view.snapshot(), box.left - whole.left, box.top - whole.top, box.width, box.height);
+      const caption = view.canvas.closest('.grid-cell')?.querySelector('figcaption')?.textContent ?? '';
+      context.fillText(caption, box.left - whole.left + box.width / 2, box.top - whole.top - 10);
+    }
+    return all;
+  }
+
   renderNow(): void {
     for (const view of this.views) view.renderNow();
   }

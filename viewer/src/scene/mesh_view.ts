@@ -47,6 +47,8 @@ export interface ViewOptions {
 export interface ViewSetup {
   /** Smooth edges whatever they cost: for a picture that is drawn once. */
   fine?: boolean;
+  /** Which axis is up; y if not said. */
+  upright?: 'y' | 'z';
 }
 
 /** More arcs and callouts than this hide the mesh; the lists beside it name all. */
@@ -117,7 +119,8 @@ export class MeshView {
     this.labelCanvas.setAttribute('aria-hidden', 'true');
     host.replaceChildren(this.canvas, this.labelCanvas);
     this.colors = palette(host);
-    this.eye = new Viewpoint(this.canvas);
+    this.paintGround();
+    this.eye = new Viewpoint(this.canvas, setup.upright);
     this.eye.onMove = () => this.draw();
     this.eye.onDrag = (on) => this.drag(on);
     this.scene.add(this.content, this.overlay, new THREE.HemisphereLight(0xffffff, 0x9a9a9a, 1.9), this.eye.camera);
@@ -142,9 +145,15 @@ export class MeshView {
 
   private readonly restyle = (): void => {
     this.colors = palette(this.host);
+    this.paintGround();
     this.rebuild();
     this.onRestyle();
   };
+
+  /** Also before there is a mesh: else the place for it is black. */
+  private paintGround(): void {
+    if (this.colors.ground !== '') this.scene.background = new THREE.Color(this.colors.ground);
+  }
 
   /** Shows a mesh. The camera stays where it is unless `fit` asks for the whole mesh. */
   show(mesh: Mesh, marks: Marks, fit: boolean, normals: Float32Array | null = null): void {
@@ -248,6 +257,17 @@ export class MeshView {
       this.eye.camera, this.colors);
   }
 
+  /** What is seen, with its names, as one picture. */
+  snapshot(): HTMLCanvasElement {
+    this.renderNow();
+    const both = document.createElement('canvas');
+    both.width = this.canvas.width;
+    both.height = this.canvas.height;
+    const context = both.getContext('2d')!;
+    for (const layer of [this.canvas, this.labelCanvas]) context.drawImage(layer, 0, 0, both.width, both.height);
+    return both;
+  }
+
   private listenToPicks(): void {
     let down = [0, 0];
     this.canvas.addEventListener('pointerdown', (event) => (down = [event.clientX, event.clientY]));
@@ -277,7 +297,6 @@ export class MeshView {
     if (!this.mesh || !this.surface) return;
     clear(this.content);
     this.holeLabels = [];
-    this.scene.background = new THREE.Color(this.colors.ground);
     const corners = new THREE.BufferAttribute(this.surface.positions, 3);
     if (!this.options.wireframe) this.addSurface(this.surface, corners);
     if (this.options.edges) this.addLines(corners, this.colors.line, linesOf(this.mesh));

@@ -22,7 +22,10 @@ export class Viewpoint {
   private readonly followers: Viewpoint[] = [];
   private hasSize = false;
 
-  constructor(private readonly canvas: HTMLCanvasElement) {
+  /** @param upright  which axis is up: surfaces are modelled with z upright */
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly upright: 'y' | 'z' = 'y') {
+    // The controls keep what is up from the beginning.
+    if (upright === 'z') this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.moved());
     this.controls.addEventListener('start', () => this.onDrag(true));
@@ -68,7 +71,7 @@ export class Viewpoint {
   }
 
   reset(): void {
-    this.lookFrom([0.55, 0.42, 0.9], this.ball.centre, this.ball.radius * 3.15);
+    this.lookFrom(this.upright === 'z' ? [0.55, -0.9, 0.42] : [0.55, 0.42, 0.9], this.ball.centre, this.ball.radius * 3.15);
   }
 
   lookFrom(direction: Vec, target: Vec, distance: number): void {
@@ -84,12 +87,13 @@ export class Viewpoint {
 
   /** Angles in radians. */
   orbit(right: number, up: number): void {
-    const spherical = new THREE.Spherical().setFromVector3(
-      this.camera.position.clone().sub(this.controls.target),
-    );
+    // Spherical coordinates have y up.
+    const turn = new THREE.Quaternion().setFromUnitVectors(this.camera.up, new THREE.Vector3(0, 1, 0));
+    const offset = this.camera.position.clone().sub(this.controls.target).applyQuaternion(turn);
+    const spherical = new THREE.Spherical().setFromVector3(offset);
     spherical.theta += right;
     spherical.phi = Math.min(Math.PI - 0.01, Math.max(0.01, spherical.phi - up));
-    this.camera.position.setFromSpherical(spherical).add(this.controls.target);
+    this.camera.position.setFromSpherical(spherical).applyQuaternion(turn.invert()).add(this.controls.target);
     this.update();
   }
 

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+"""Runs clang-tidy over every source of our own that a build folder compiles, but the tests: what
+is wrong with a test shows when it runs, and this is what takes longest of all checks.
+
+  tidy.py <build folder>
+
+Most of clang-tidy's time goes into walking through the headers of a source. So each source is
+read alone only for what depends on its being alone: that it compiles, and its using declarations.
+For the other checks several sources are read as one, and their headers once. Where something is
+found, or sources do not compile together since both have a helper of one name, they are read in
+halves, and at last one by one, so that what is reported is always of a source alone.
+
+A source that passes leaves a stamp beside its object file. Ninja makes that object anew when the
+source or one of its headers changes, so a stamp younger than the object still holds.
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SETTINGS = ".clang-tidy"
+MOST_TOGETHER = 16
+CHECKS_OF_ONE = "misc-unused-using-decls"
+
+
+def names_of(text):
+    """What the lines without indentation define, for the source's own use or for others: names
+    and, of those that may be defined twice if it is the same, as what."""
+    defined = {}
+    for line in re.findall(r"^[a-z\[][^\n]*", text, re.MULTILINE | re.IGNORECASE):
+        if alias := re.match(r"(?:using|namespace) (\w+) = .*;$", line):
+            defined[alias[1]] = line
+        elif other := re.match(r"(?:struct|class|enum class) (\w+)", line) or re.match(
+            r"[^(={]*?[ *&>](\w+)(?: = |\(|\{|\[)", line
+        ):
+            defined[other[1]] = None
+    return defined
+
+
+def clash(a, b):
+    return any(a[name] is None or a[name] != b[name] for name in a.keys() & b.keys())
+
+
+class Source:
+    """A source, and how it is compiled."""
+
+    def __init__(self, entry):
+        self.file = Path(entry["file"])
+        self.folder = entry["directory"]
+        # Without GCC's precompiled headers: a source has to include what it uses.
+        command = re.sub(r' -Winvalid-pch -include ("[^"]*"|\S+)', "", entry["command"])
+        self.flags, output = re.match(r"(.*) -o (\S+) -c ", command).groups()
+        self.object = Path(self.folder, output)
+        self.stamp = Path(f"{self.object}.tidy")
+        self.names = names_of(self.file.read_text())
+        self.settings = [f / SETTINGS for f in self.file.parents if (f / SETTINGS).exists()]
+
+    def has_passed(self):
+        if not self.stamp.exists():
+            return False
+        stamped = self.stamp.stat().st_mtime
+        return all(f.stat().st_mtime < stamped for f in [self.object, *self.settings])
+
+
+def own_sources(build):
+    """Each source once, however often it is compiled."""
+    sources = {}
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        file = Path(entry["file"])
+        if not file.is_relative_to(build) and not file.is_relative_to(ROOT / "tests"):
+            sources.setdefault(file, Source(entry))
+    return list(sources.values())
+
+
+def groups(sources):
+    """Sources to be read together: compiled in one way, without a name in common, and with the
+    settings of the root alone, which are those that hold for a file in the build folder."""
+    made = []
+    for source in sources:
+        own_settings = len(source.settings) > 1
+        for group in made:
+            if (
+                not own_settings
+                and len(group) < MOST_TOGETHER
+                and group[0].flags == source.flags
+                and not any(clash(member.names, source.names) for member in group)
+            ):
+                group.append(source)
+                break
+        else:
+            made.append([source])
+    return made
+
+
+def tidy(file, source, *options):
+    """clang-tidy on a file that is compiled as the source is; what it says, or nothing."""
+    command = f"{source.flags} -c {json.dumps(str(file))}"
+    entry = {"directory": source.folder, "file": str(file), "command": command}
+    with tempfile.TemporaryDirectory() as database:
+        Path(database, "compile_commands.json").write_text(json.dumps([entry]))
+        done = subprocess.run(
+            ["clang-tidy", "-p", database, "--quiet", *options, str(file)],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    # It tells on stderr how many warnings of other people's headers it has left out.
+    return "" if done.returncode == 0 else done.stdout
+
+
+def check_alone(source):
+    return tidy(source.file, source, f"--checks=-*,{CHECKS_OF_ONE}")
+
+
+def check_together(members, folder):
+    """What is found in these sources, which have passed alone."""
+    if len(members) == 1:
+        found = tidy(members[0].file, members[0])
+        if not found:
+            members[0].stamp.touch()
+        return found
+    with tempfile.NamedTemporaryFile("w", suffix=".cpp", dir=folder) as together:
+        together.writelines(f'#include "{source.file}"\n' for source in members)
+        together.flush()
+        found = tidy(together.name, members[0])
+    if not found:
+        for source in members:
+            source.stamp.touch()
+        return ""
+    half = len(members) // 2
+    return check_together(members[:half], folder) + check_together(members[half:], folder)
+
+
+def main(build):
+    sources = [s for s in own_sources(build) if not s.has_passed()]
+    with ThreadPoolExecutor(os.cpu_count()) as jobs:
+        alone = list(jobs.map(check_alone, sources))
+        fit = [source for source, found in zip(sources, alone) if not found]
+        together = list(jobs.map(lambda members: check_together(members, build), groups(fit)))
+    found = "".join(alone + together)
+    print(found, end="")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]).resolve()))
