@@ -119,14 +119,16 @@ bool can_be_smaller(const JudgedCase& judged) {
          judged.judgement.note.empty() && !judged.judgement.excused;
 }
 
-/// Only the first failures: the others most likely have the same reason.
+/// Only the first failures: the others most likely have the same reason. Not those of which
+/// nothing came back: of a smaller case, too, nothing would.
 void make_failures_smaller(const Assignment& assignment, const Home& home,
-                           const Candidate& candidate, JudgedExercise& exercise) {
+                           const Candidate& candidate, const std::vector<Outcome>& outcomes,
+                           JudgedExercise& exercise) {
   std::size_t left = kMostShrunk;
   std::vector<Case> all;
-  for (JudgedCase& judged : exercise.cases) {
-    if (left == 0) return;
-    if (!can_be_smaller(judged)) continue;
+  for (std::size_t i = 0; i < outcomes.size() && left > 0; ++i) {
+    JudgedCase& judged = exercise.cases[i];
+    if (outcomes[i].lost || !can_be_smaller(judged)) continue;
     // Those of the whole exercise, also where only one of them is judged.
     if (all.empty()) all = make_cases(assignment, *exercise.rubric, home.meshes);
     auto smaller = shrink(assignment, home, candidate, *exercise.rubric, all, judged);
@@ -199,7 +201,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
     judged.cases.push_back(
         {cases[i], std::move(judgements[i]), outcomes[i].output, outcomes[i].output_bytes, ""});
   }
-  make_failures_smaller(assignment, home, candidate, judged);
+  make_failures_smaller(assignment, home, candidate, outcomes, judged);
   std::vector<CaseJudgement*> told;
   for (JudgedCase& c : judged.cases)
     told.push_back(&c.judgement);

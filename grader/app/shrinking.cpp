@@ -62,6 +62,8 @@ class Shrinker {
     const std::vector<Outcome> outcomes =
         run_cases(candidate_.build, pointers_to(cases), assignment_.limits, Company::kTogether);
     for (std::size_t i = 0; i < cases.size(); ++i) {
+      // Lost with the others' results: that tells nothing about this one.
+      if (outcomes[i].lost) continue;
       if (judge(cases[i], outcomes[i], false).judgement.verdict != verdict_) continue;
       // Once more alone: what one question leaves behind may spoil the next one.
       const std::vector<Outcome> alone =

@@ -23,7 +23,7 @@ struct Task {
   std::uint64_t step_budget = 0;  ///< uses of handles
   std::uint32_t cpu_ms = 0;       ///< processor time
   std::uint32_t wall_ms = 0;      ///< time on the clock
-  std::uint32_t family = 0;       ///< tasks of one family call the same functions: see run_cases
+  std::uint32_t family = 0;  ///< tasks of one family call the same functions: see run_cases
 
   template <class Wire>
   void transfer(Wire& wire) {

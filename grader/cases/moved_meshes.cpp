@@ -72,10 +72,10 @@ PolygonMesh shaken(const PolygonMesh& mesh, Random& random) {
 std::vector<MovedMesh> moved_meshes(const PolygonMesh& mesh, VertexPair edge) {
   const Point3 end = mesh.positions.at(edge.first);
   const Point3 ends = plus(end, mesh.positions.at(edge.second), 1.0);
-  return {{"1,000,000 times smaller", scaled(mesh, 1e-6), edge},
-          {"100 times smaller", scaled(mesh, 1e-2), edge},
-          {"10 times larger", scaled(mesh, 10.0), edge},
-          {"1,000,000 times larger", scaled(mesh, 1e6), edge},
+  return {{"1,000,000 times smaller", scaled(mesh, 1e-6), edge, false},
+          {"100 times smaller", scaled(mesh, 1e-2), edge, false},
+          {"10 times larger", scaled(mesh, 10.0), edge, false},
+          {"1,000,000 times larger", scaled(mesh, 1e6), edge, false},
           {"far from the origin", shifted(mesh, {64.0, -96.0, 80.0}, 1.0), edge},
           {"turned", turned(mesh), edge},
           mirrored(mesh, edge),

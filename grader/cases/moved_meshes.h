@@ -20,6 +20,7 @@ struct MovedMesh {
   std::string how;  ///< "1,000,000 times smaller"
   PolygonMesh mesh;
   VertexPair edge;  ///< where the edge is that was named
+  bool same_size = true;
 };
 
 /// A shaken mesh scaled by 1e-6, 1e-2, 10 and 1e6, far from the origin, turned, mirrored (and

@@ -232,7 +232,8 @@ class PositionPredictor {
             Own::kAsIfOnce),
         nullptr);
     add("same-weight-everywhere", smoothing([](double) { return 3.0 / 16.0; }), nullptr);
-    add("no-valence-three", smoothing([](double n) { return 3.0 / (8.0 * n); }), nullptr);
+    if (has_inner_valence(3))  // elsewhere it is the whole of another published rule
+      add("no-valence-three", smoothing([](double n) { return 3.0 / (8.0 * n); }), nullptr);
     add(
         "own-weight-wrong",
         [this](const Origin& v) {
@@ -240,6 +241,13 @@ class PositionPredictor {
           return near_.smoothed(v.a, 1.0, weight(v.a), near_.positions);
         },
         nullptr);
+  }
+
+  bool has_inner_valence(std::size_t valence) const {
+    for (std::size_t v = 0; v < near_.neighbours.size(); ++v) {
+      if (near_.neighbours[v].size() == valence && !near_.on_boundary[v]) return true;
+    }
+    return false;
   }
 
   /// The valence of a boundary vertex is counted in edges by some, in faces by Vertex::degree.
@@ -383,8 +391,9 @@ std::string mixture(const RefinedStep& step, const std::vector<Point3>& actual,
          " have Loop's: use one rule everywhere";
 }
 
-const Misconceptions& position_misconceptions() {
-  static const Misconceptions known{
+/// About the points of edges.
+Misconceptions new_vertex_misconceptions() {
+  return {
       {"edge-midpoints",
        "new vertices lie in the middle of their edges: they need the weights 3/8 and 1/8"},
       {"edge-weights-swapped", "3/8 and 1/8 are swapped: 3/8 is for the ends of the edge"},
@@ -393,18 +402,43 @@ const Misconceptions& position_misconceptions() {
        "vertex. splitEdge returns that vertex: set its newPosition"},
       {"integer-division",
        "weights such as 3/8 are divided as whole numbers and become 0: write 3.0 / 8.0"},
-      {"integer-weight",
-       "old vertices stay where they were: the weight u is divided as a whole number and "
-       "becomes 0: write 3.0 / (8.0 * n)"},
-      {"integer-three-sixteenths",
-       "old vertices with three neighbours stay where they were: 3/16 is divided as whole "
-       "numbers and becomes 0: write 3.0 / 16.0"},
+      {"edges-from-moved",
+       "edge points are computed from old vertices that have moved already"},
+  };
+}
+
+/// About when and where old vertices get their new positions.
+Misconceptions copying_misconceptions() {
+  return {
       {"last-not-copied",
        "the last vertex is left out: it alone has not got its new position. Look at where the "
        "loop that copies newPosition to position ends"},
       {"first-not-copied",
        "the first vertex is left out: it alone has not got its new position. Look at where the "
        "loop that copies newPosition to position begins"},
+      {"not-moved",
+       "the triangles are right, but no point has moved: newPosition is never computed, or "
+       "never copied"},
+      {"old-not-copied",
+       "old vertices stay where they were: their newPosition is not copied to position"},
+      {"new-neighbours",
+       "old vertices are computed after the splits, when their neighbours are the new "
+       "vertices: compute them before"},
+      {"moved-in-place",
+       "old vertices are moved one after the other, so that later ones see neighbours that "
+       "have moved already: compute all, then move"},
+  };
+}
+
+/// About the weights of old vertices.
+Misconceptions weight_misconceptions() {
+  return {
+      {"integer-weight",
+       "old vertices stay where they were: the weight u is divided as a whole number and "
+       "becomes 0: write 3.0 / (8.0 * n)"},
+      {"integer-three-sixteenths",
+       "old vertices with three neighbours stay where they were: 3/16 is divided as whole "
+       "numbers and becomes 0: write 3.0 / 16.0"},
       {"neighbours-twice",
        "every neighbour is counted twice, so that the weights add up to more than 1: each "
        "neighbour lies in two triangles"},
@@ -418,11 +452,6 @@ const Misconceptions& position_misconceptions() {
       {"tuned-for-continuity",
        "these are weights tuned for continuity, as MeshLab's \"Enhance continuity\" has them: "
        "Loop's or Warren's are asked"},
-      {"not-moved",
-       "the triangles are right, but no point has moved: newPosition is never computed, or "
-       "never copied"},
-      {"old-not-copied",
-       "old vertices stay where they were: their newPosition is not copied to position"},
       {"same-weight-everywhere", "u = 3/16 is for valence 3 only: otherwise it is 3 / (8 n)"},
       {"no-valence-three",
        "u = 3 / (8 n) is used for valence 3, too, so that 5/8 is the own weight everywhere: "
@@ -431,17 +460,18 @@ const Misconceptions& position_misconceptions() {
       {"boundary-like-inside",
        "vertices on the boundary are moved like those inside: 3/4 of their own position and "
        "1/8 of each of the two neighbours on the boundary"},
-      {"new-neighbours",
-       "old vertices are computed after the splits, when their neighbours are the new "
-       "vertices: compute them before"},
-      {"edges-from-moved",
-       "edge points are computed from old vertices that have moved already"},
-      {"moved-in-place",
-       "old vertices are moved one after the other, so that later ones see neighbours that "
-       "have moved already: compute all, then move"},
       {kRulesMixed, "two rules are mixed: use one everywhere"},
       {"other-rule", "another published rule is asked for"},
   };
+}
+
+const Misconceptions& position_misconceptions() {
+  static const Misconceptions known = [] {
+    Misconceptions all = new_vertex_misconceptions();
+    for (const Misconceptions& more : {weight_misconceptions(), copying_misconceptions()})
+      all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }();
   return known;
 }
 

@@ -3,9 +3,9 @@
 // Theory of operation. The worker forks one child, which runs the tasks in order and writes
 // down what the student's code leaves behind. When a task kills the child, the parent writes
 // down how, and forks a new child that goes on with the next task. So a task costs a fork only
-// when the one before it went wrong. A function that never ends would cost the time limit in every
-// task: a family of tasks with too many of them is given up. Nothing in this process knows a right
-// answer.
+// when the one before it went wrong. A function that never ends would cost the time limit in
+// every task: a family of tasks with too many of them is given up. Nothing in this process
+// knows a right answer.
 
 #include <poll.h>
 #include <sys/mman.h>

@@ -319,8 +319,7 @@ class LevelsJudge {
     if (task_.explain) {
       Finding& finding = judgement_.findings.back();
       finding.likely = likely_positions(level, actual);
-      const Misconceptions left_out =
-          not_copied(level.origins, expected, actual, mesh);
+      const Misconceptions left_out = not_copied(level.origins, expected, actual, mesh);
       finding.likely.insert(finding.likely.end(), left_out.begin(), left_out.end());
       finding.surface = figure_of_positions(level.surface, expected, mesh, match_, scales_);
     }
@@ -390,8 +389,7 @@ class LevelsJudge {
   /// have left it.
   Misconceptions not_copied(const std::vector<Origin>& origins,
                             const std::vector<Point3>& expected,
-                            const std::vector<Point3>& actual,
-                            const MeshDump& mesh) const {
+                            const std::vector<Point3>& actual, const MeshDump& mesh) const {
     std::vector<std::size_t> wrong;
     for (std::size_t v = 0; v < actual.size(); ++v) {
       if (!(distance(expected[v], actual[v]) <= scales_[v].allowed)) wrong.push_back(v);

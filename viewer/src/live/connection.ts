@@ -7,6 +7,8 @@ import type { Case, PointerChange, RuleBreak, StateJson } from '../model/types';
 export interface LiveState {
   submission: string;
   mesh: string;
+  /** What there was to say when the mesh was read. */
+  notes: string[];
   build: { number: number; compiled: boolean; files: { name: string; compiled: boolean; messages: string }[] };
   timeline: { label: string; verdict: string }[];
   position: number;

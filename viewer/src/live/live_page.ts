@@ -261,7 +261,7 @@ export class LivePage {
     this.drawBuild(live);
     this.drawTimeline(live);
     replace(this.banner, ...stoppedBanner(live));
-    replace(this.told, ...this.verdictOf(live));
+    replace(this.told, ...readersNotes(live), ...this.verdictOf(live));
     const { states, current } = statesOf(live);
     this.panel.show(states, current, fit);
     void this.drawLevels();
@@ -292,6 +292,13 @@ export class LivePage {
     replace(this.timeline, ...items);
     this.timeline.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
   }
+}
+
+/** Beside the mesh as it was read; a step has other things to tell. */
+function readersNotes(live: LiveState): Child[] {
+  if (live.position > 0 || live.stopped || live.notes.length === 0) return [];
+  return [el('div', { class: 'readers-notes' },
+    el('h3', {}, `About ${live.mesh}`), ...live.notes.map((note) => el('p', {}, note)))];
 }
 
 function stoppedBanner(live: LiveState): Child[] {

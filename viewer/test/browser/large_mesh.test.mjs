@@ -69,8 +69,9 @@ test('A large mesh is flipped, undone, and a small one opened after it', async (
   assert.equal(await savedObj(page), before);
   const types = watchTypes(page);
   await page.setInputFiles('input[type=file]', { name: 'mine.obj', mimeType: 'text/plain',
-    buffer: Buffer.from('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n') });
-  await page.getByText('mine.obj').waitFor();
+    buffer: Buffer.from('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\n') });
+  await page.getByText('About mine.obj').waitFor();
+  await page.getByText('left out 1 face with fewer than 3 corners, at line 5').waitFor();
   assert.match(await viewer.counts(), /3 vertices, 3 edges, 1 faces/);
   assert.deepEqual(types, ['application/json']);
   await viewer.stop();
