@@ -15,7 +15,7 @@ std::vector<PackagePart> handout_parts() {
   parts.push_back({"HANDOUT.md", "README.md"});
   for (const char* page :
        {"student.md", "installing.md", "rules.md", "report.md", "report.schema.json",
-        "formats.md", "dropin.md", "assignment.md", "exercises", "viewer.md",
+        "formats.md", "dropin.md", "assignment.md", "exercises", "viewer.md", "loop_rules.md",
         "lopsided_cube.md", "pictures", "writeup", "writeup_rubric.toml"}) {
     const std::string path = std::string("docs/") + page;
     parts.push_back({path, path});
