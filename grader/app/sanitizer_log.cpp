@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLogName = "sanitizer";  // the sanitizers add ".<process number>"
 
+constexpr std::size_t kLongestLine = 2000;
+
 std::string cleaned_line(std::string line) {
   static const std::regex process_number("^==\\d+==\\s*(ERROR: )?");
   static const std::regex registers(" ?(at|\\()(pc| pc) 0x.*$");
@@ -44,7 +46,10 @@ bool is_frame(const std::string& line) {
 
 std::string clean_sanitizer_log(const std::string& log) {
   std::string text;
-  for (const std::string& line : split_lines(printable(log))) {
+  for (std::string& line : split_lines(printable(log))) {
+    // The student's code can write here as well, and std::regex goes one call deeper with each
+    // character that is repeated.
+    line.resize(std::min(line.size(), kLongestLine));
     if (line.rfind("SUMMARY:", 0) == 0) break;
     if (line.empty() || line.find_first_not_of('=') == std::string::npos) continue;
     if (line.find("can not provide additional info") != std::string::npos) continue;

@@ -11,6 +11,8 @@
 namespace meshgrade {
 namespace {
 
+constexpr std::size_t kMostShown = 80;  ///< characters of a variable
+
 /// What comes from whole numbers only.
 bool is_of_whole_numbers(const Misconception& m) {
   static const std::set<std::string> names{"integer-division", "integer-weight",
@@ -49,19 +51,26 @@ std::size_t after_parentheses(const std::string& text, std::size_t open) {
 
 }  // namespace
 
+// std::regex goes one call deeper with each repetition: none of these may repeat as often as a
+// student's file has characters.
+
 bool divides_whole_numbers(const std::string& source) {
   static const std::regex division(
-      R"((^|[^\w.])\d+\s*/\s*(\d+(?![\w.])|\([^().]*\)|[A-Za-z_]\w*))");
+      R"((^|[^\w.])\d{1,9}\s{0,9}/\s{0,9}(\d{1,9}(?![\w.])|\([^().]{0,80}\)|[A-Za-z_]))");
   return std::regex_search(code_only(source), division);
 }
 
 std::string find_static_variable(const std::string& source) {
-  static const std::regex variable(R"(^\s*static\s+(?!const|inline)[^()]*[=;])");
+  static const std::regex variable(R"(^\s{0,80}static\s{1,9}(?!const|inline))");
   const std::vector<std::string> lines = split_lines(code_only(source));
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (!std::regex_search(lines[i], variable)) continue;
+    const std::size_t name_end = lines[i].find_first_of("=;()");
+    const bool is_variable = name_end != std::string::npos &&
+                             (lines[i][name_end] == '=' || lines[i][name_end] == ';');
+    if (!is_variable || !std::regex_search(lines[i], variable)) continue;
     const std::size_t begin = lines[i].find_first_not_of(" \t");
-    const std::string text = lines[i].substr(begin, lines[i].find(';') - begin);
+    const std::size_t size = std::min(lines[i].find(';') - begin, kMostShown);
+    const std::string text = lines[i].substr(begin, size);
     return "line " + std::to_string(i + 1) + ": " + printable(text);
   }
   return {};
@@ -69,7 +78,7 @@ std::string find_static_variable(const std::string& source) {
 
 int find_free_function(const std::string& source, const std::string& name) {
   const std::string text = code_only(source);
-  const std::regex call("\\b" + name + "\\s*\\(");
+  const std::regex call("\\b" + name + "\\s{0,9}\\(");
   static const std::regex body(R"(^\s*(const\b\s*)?\{)");
   for (std::sregex_iterator it(text.begin(), text.end(), call), end; it != end; ++it) {
     const auto at = static_cast<std::size_t>(it->position());

@@ -30,6 +30,15 @@ TEST(SourceHints, FreeFunctionIsADefinitionWithoutItsClass) {
   EXPECT_EQ(find_free_function("V evaluateStep(V p);\n", "evaluateStep"), 0);
 }
 
+TEST(SourceHints, FileMayBeAsLongAsItLikes) {
+  const std::string space(300'000, ' ');
+  const std::string digits(300'000, '7');
+  EXPECT_FALSE(divides_whole_numbers("x = 3" + space + "/ 8.0; y = " + digits + ";"));
+  EXPECT_FALSE(divides_whole_numbers("x = 3 / (" + digits));
+  EXPECT_EQ(find_static_variable("static int table[] = {" + digits + "};").size(), 88U);
+  EXPECT_EQ(find_free_function("int step" + space + "(int x) {}", "step"), 0);
+}
+
 TEST(SourceHints, TextTellsWholeNumbersFromAPointThatIsNotSet) {
   const Misconception whole{"integer-division", ""};
   const Misconception unset{"new-position-not-set", ""};
