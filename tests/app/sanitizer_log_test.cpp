@@ -37,5 +37,11 @@ TEST(CleanSanitizerLog, OfNothingIsNothing) {
   EXPECT_EQ(clean_sanitizer_log(""), "");
 }
 
+TEST(CleanSanitizerLog, LineMayBeAsLongAsItLikes) {
+  const std::string name(300'000, 'f');
+  EXPECT_EQ(clean_sanitizer_log("    #0 0x1 in " + name + " ./edge_flip.cpp:12\n"), "");
+  EXPECT_LT(clean_sanitizer_log("==1==ERROR: " + name + "\n").size(), 3000U);
+}
+
 }  // namespace
 }  // namespace meshgrade
