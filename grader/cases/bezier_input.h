@@ -50,11 +50,12 @@ struct PatchInput {
 };
 
 /// The net of the patch whose evaluateStep or evaluate1D gets `points`: of other points than
-/// these, so that it shows when a function reads the member in place of its argument.
+/// these, so that it shows when a function reads the member in place of its argument. It has as
+/// many rows as columns, since a function may count on that where all nets are 4 x 4.
 inline std::vector<std::vector<Point3>> net_besides(std::vector<Point3> points) {
   for (Point3& p : points)
     p = {p[0] + 1.0, p[1] + 2.0, p[2] + 3.0};
-  return {points, points};
+  return std::vector<std::vector<Point3>>(points.size(), points);
 }
 
 }  // namespace meshgrade

@@ -161,13 +161,25 @@ TEST(Bezier, FindingsOf2017NameNoFunctionThatTheYearLacks) {
   }
 }
 
-TEST(Bezier, MayCountOnFourPoints) {
+/// The points for a right patch whose evaluate1D gives nonsense where `counted` is not 4.
+double points_of_who_counts_on_four(const std::string& counted) {
   Submission submission = hand_in("of_2017");
   std::string& text = submission.sources.at(0).text;
   const std::size_t at = text.find("BezierPatch::evaluate1D");
-  ASSERT_NE(at, std::string::npos);
-  text.insert(text.find('{', at) + 1, " if (points.size() != 4) return Vector3D(9);\n");
-  EXPECT_EQ(points(grade_all(submission), "bezier_patch"), 15.0);
+  text.insert(text.find('{', at) + 1, " if (" + counted + " != 4) return Vector3D(9);\n");
+  return points(grade_all(submission), "bezier_patch");
+}
+
+TEST(Bezier, MayCountOnFourPoints) {
+  EXPECT_EQ(points_of_who_counts_on_four("points.size()"), 15.0);
+}
+
+TEST(Bezier, MayCountOnFourRows) {
+  EXPECT_EQ(points_of_who_counts_on_four("controlPoints.size()"), 15.0);
+}
+
+TEST(Bezier, MayCountOnNoFivePoints) {
+  EXPECT_LT(points_of_who_counts_on_four("1 + points.size()"), 15.0);
 }
 
 TEST(Homework, CourseProgramsAreLeftOutOfAWholeProject) {
