@@ -43,8 +43,10 @@ struct RefinedStep {
   std::vector<OtherRule> others;       ///< by every rule that is not
 };
 
-/// All about Loop subdivision; those of them about which edges are flipped.
+/// All about Loop subdivision; those of them about positions, and about which edges are
+/// flipped.
 const Misconceptions& loop_misconceptions();
+const Misconceptions& position_misconceptions();
 const Misconceptions& flip_misconceptions();
 
 /// Misconceptions about positions that explain all of `actual`, to `allowed`, a length.
