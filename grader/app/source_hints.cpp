@@ -77,6 +77,7 @@ std::string find_static_variable(const std::string& source) {
 }
 
 int find_free_function(const std::string& source, const std::string& name) {
+  if (source.find(name) == std::string::npos) return 0;  // most files: much quicker than below
   const std::string text = code_only(source);
   const std::regex call("\\b" + name + "\\s{0,9}\\(");
   static const std::regex body(R"(^\s*(const\b\s*)?\{)");

@@ -1,6 +1,7 @@
 #include "grader/base/process_tree.h"
 
 #include <dirent.h>
+#include <sys/stat.h>
 
 #include <cctype>
 #include <cstdio>
@@ -78,14 +79,15 @@ std::size_t processes_of_user(uid_t user) {
   const std::unique_ptr<DIR, CloseFolder> folder(::opendir("/proc"));
   while (const dirent* entry = folder == nullptr ? nullptr : ::readdir(folder.get())) {
     if (std::isdigit(static_cast<unsigned char>(entry->d_name[0])) == 0) continue;
-    bool is_theirs = false;
-    std::size_t threads = 0;
+    // Whose a process is tells the owner of its folder, at a hundredth of what its status
+    // costs.
+    struct stat owned {};
+    if (::fstatat(::dirfd(folder.get()), entry->d_name, &owned, 0) != 0) continue;
+    if (owned.st_uid != user) continue;
     read_status(std::string("/proc/") + entry->d_name, [&](const char* line) {
-      unsigned long long real = 0;
-      if (std::sscanf(line, "Uid: %llu", &real) == 1) is_theirs = real == user;
-      std::sscanf(line, "Threads: %zu", &threads);
+      std::size_t threads = 0;
+      if (std::sscanf(line, "Threads: %zu", &threads) == 1) count += threads;
     });
-    if (is_theirs) count += threads;
   }
   return count;
 }

@@ -219,6 +219,10 @@ std::string frame_bytes(FrameKind kind, const std::string& payload) {
 
 }  // namespace
 
+void prepare_backtraces() {
+  call_stack();
+}
+
 void library_check_failed(const std::string& what) {
   if (running.recorder == nullptr) return;
   EndFrame frame;
@@ -265,7 +269,6 @@ void run_tasks(const TaskList& list, const std::set<std::uint32_t>& given_up,
   ::dup2(kOutputFile, STDOUT_FILENO);
   ::dup2(kOutputFile, STDERR_FILENO);
   ::setvbuf(stdout, nullptr, _IOLBF, 1U << 12U);
-  call_stack();  // loads what backtrace() needs, so that it may be called in a signal handler
   catch_signals();
   std::set_terminate(on_terminate);
   std::set_new_handler(on_out_of_memory);

@@ -13,6 +13,10 @@ constexpr int kTaskRecordedStatus = 90;
 /// The child ends with this after it has noted a signal in the shared state.
 constexpr int kSignalNotedStatus = 92;
 
+/// Loads what telling a stack needs, so that it can be told in a handler of signals. To be
+/// called before the first child is made: each of them would load it again.
+void prepare_backtraces();
+
 /// Runs the tasks from the first that is not done, but for those of the families that are given
 /// up. Never returns: ends the process.
 [[noreturn]] void run_tasks(const TaskList& list, const std::set<std::uint32_t>& given_up,

@@ -176,6 +176,7 @@ int run_worker() {
   if (memory == MAP_FAILED) fail("cannot share memory");
   auto* shared = ::new (memory) SharedState;
   if (list.tasks.empty()) return 0;
+  prepare_backtraces();
   Patience patience;
   while (run_some(list, patience, *shared) && shared->tasks_done < list.tasks.size()) {
   }
