@@ -243,14 +243,22 @@ bool run_divided(const ClusterBatch& cluster) {
          run_on_slurm(cluster);
 }
 
+unsigned cores() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+unsigned jobs_of(const BatchCommandOptions& options) {
+  return options.jobs != 0 ? options.jobs : options.cluster.slurm ? 1 : cores();
+}
+
 int run(const BatchCommandOptions& options, const Assignment& assignment, const Roster& roster,
         const BatchFolder& folder) {
-  const Home home = find_home();
+  Home home = find_home();
+  home.compilers = std::max(1U, cores() / jobs_of(options));
   if (options.require_sandbox) require_sandbox(home.sandbox);
   const Grading grading = grading_of(assignment, options, home);
   BatchOptions how;
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  how.jobs = options.jobs != 0 ? options.jobs : options.cluster.slurm ? 1 : cores;
+  how.jobs = jobs_of(options);
   how.force = options.force;
   how.chosen = choose_hand_ins(roster, names_of(options));
   BatchProgress progress(roster, how.chosen.size(), ::isatty(STDERR_FILENO) != 0);

@@ -6,6 +6,7 @@
 #include "grader/build/stand_in.h"
 #include "grader/judge/judge.h"
 #include "grader/run/run.h"
+#include "grader/submission/code_only.h"
 
 namespace meshgrade {
 namespace {
@@ -213,6 +214,14 @@ void add_notes(const SecondRun& second, const std::string& causes, std::size_t f
   }
 }
 
+/// Whether the exercise's own functions are not there: what it calls can be as right as it
+/// likes.
+bool is_unwritten(const JudgedExercise& exercise) {
+  return std::all_of(exercise.cases.begin(), exercise.cases.end(), [](const JudgedCase& c) {
+    return c.judgement.verdict == Verdict::kNotImplemented;
+  });
+}
+
 /// Runs the exercise again with right solutions of these in place of the student's.
 void run_with(const Assignment& assignment, const Home& home, const Candidate& candidate,
               const std::vector<const JudgedExercise*>& wrong, ExerciseRun& run) {
@@ -228,6 +237,7 @@ void run_with(const Assignment& assignment, const Home& home, const Candidate& c
     if (std::find(known.begin(), known.end(), note) == known.end())
       run.judged.notes.push_back(note);
   }
+  if (is_unwritten(run.judged)) return;
   const std::string causes = join(names, " and ");
   const auto changed = with_stand_ins(candidate.submission, home, stand_ins);
   if (!changed) {
@@ -253,6 +263,23 @@ void run_with(const Assignment& assignment, const Home& home, const Candidate& c
   if (taken > 0) run.judged.stand_ins = std::move(names);
 }
 
+/// Whether anything but the other exercises' functions asks what lies on a boundary: without
+/// that, a subdivision cannot treat boundaries in a way of their own, whatever splits its
+/// edges.
+bool asks_for_boundaries(const Assignment& assignment, const Submission& submission,
+                         const ExerciseRubric& own) {
+  return std::any_of(
+      submission.sources.begin(), submission.sources.end(), [&](const SourceFile& source) {
+        LeavingOut rest(source.name, source.text);
+        for (const ExerciseRubric& rubric : assignment.exercises) {
+          if (rubric.name == own.name) continue;
+          for (const std::string& function : find_exercise_judge(rubric).functions)
+            rest.remove_function(function);
+        }
+        return code_only(rest.text()).find("oundary") != std::string::npos;
+      });
+}
+
 }  // namespace
 
 void run_with_stand_ins(const Assignment& assignment, const Home& home,
@@ -267,8 +294,11 @@ void run_with_stand_ins(const Assignment& assignment, const Home& home,
   if (!wrong.empty()) run_with(assignment, home, candidate, wrong, run);
   // What is missing for extra credit only may not hide how the student's own parts fit
   // together.
-  const bool is_more = incomplete.size() > wrong.size();
-  if (is_more && is_required_right(run.judged) && !is_all_right(run.judged)) {
+  const bool is_more = incomplete.size() > wrong.size() && is_required_right(run.judged) &&
+                       !is_all_right(run.judged);
+  if (is_more) {
+    const ExerciseRubric& own = *run.judged.rubric;
+    if (!asks_for_boundaries(assignment, candidate.submission, own)) return;
     run_with(assignment, home, candidate, incomplete, run);
   } else if (wrong.empty()) {
     tell_what_it_relies_on(assignment, home, candidate, needed, run);

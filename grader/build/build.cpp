@@ -8,6 +8,7 @@
 
 #include "grader/base/errors.h"
 #include "grader/build/added_members.h"
+#include "grader/build/joining.h"
 #include "grader/build/member_splice.h"
 #include "grader/build/tool_words.h"
 #include "grader/build/workshop.h"
@@ -18,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Calls `work(i)` for i = 0 .. count - 1 on all cores. Throws what one of them has thrown.
+/// Calls `work(i)` for i = 0 .. count - 1, so many at a time. Throws what one has thrown.
 template <class Work>
-void in_parallel(std::size_t count, Work work) {
+void in_parallel(std::size_t at_a_time, std::size_t count, Work work) {
   std::atomic<std::size_t> next{0};
   std::vector<std::exception_ptr> failures(count);
   const auto take_turns = [&] {
@@ -33,9 +34,8 @@ void in_parallel(std::size_t count, Work work) {
     }
   };
   {
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
     std::vector<std::jthread> helpers;
-    for (std::size_t i = 1; i < std::min(cores, count); ++i)
+    for (std::size_t i = 1; i < std::min(at_a_time, count); ++i)
       helpers.emplace_back(take_turns);
     take_turns();
   }
@@ -101,26 +101,80 @@ class Builder {
   static constexpr const char* kLocalised = "submission.o";
   static constexpr const char* kDriver = "driver.o";
   static constexpr const char* kProbe = "probe.cpp";
+  static constexpr const char* kJoined = "~joined.cpp";
   static constexpr int kRounds = 8;
 
+  using Unit = std::vector<std::size_t>;  ///< places of files that are compiled as one
+
   void compile_all() {
-    const std::size_t sources = submission_.sources.size();
-    const std::vector<std::string> adapters = adapter_files(submission_.dialect);
+    begin_files();
+    const std::vector<Unit> units = divide();
     const std::size_t drivers = splice_.empty() ? 0 : 1;
-    rests_.clear();
-    for (const SourceFile& source : submission_.sources)
-      rests_.emplace_back(source.name, source.text);
-    build_.files.assign(sources + adapters.size(), BuiltFile());
-    make_workshops(build_.files.size());
-    in_parallel(build_.files.size() + drivers, [&](std::size_t i) {
-      if (i < sources) {
-        compile_source(i);
-      } else if (i < build_.files.size()) {
-        compile_adapter(i, adapters[i - sources]);
-      } else {
-        compile_driver();
-      }
+    in_parallel(compilers(), units.size() + drivers, [&](std::size_t i) {
+      i < units.size() ? compile_unit(units[i]) : compile_driver();
     });
+  }
+
+  /// The sources, ready to be compiled, and behind them the adapters.
+  void begin_files() {
+    rests_.clear();
+    build_.files.clear();
+    for (const SourceFile& source : submission_.sources) {
+      rests_.emplace_back(source.name, source.text);
+      LeavingOut& rest = rests_.back();
+      if (submission_.dialect == Dialect::kCourse2016) rest.remove_members("BezierPatch");
+      if (submission_.dialect != Dialect::kMeshedit) rest.mark_unwritten(graded_functions());
+      build_.files.emplace_back().name = source.name;
+    }
+    for (const std::string& adapter : adapter_files(submission_.dialect))
+      build_.files.emplace_back().name = "~" + adapter;  // no submitted file can have this name
+    objects_.assign(build_.files.size(), "");
+    make_workshops(build_.files.size());
+  }
+
+  /// What is compiled at a time: a unit for each core of what can be joined, the rest alone.
+  std::vector<Unit> divide() const {
+    std::vector<SourceFile> sources;
+    for (const BuiltFile& file : build_.files) {
+      if (sources.size() < rests_.size())
+        sources.push_back({file.name, rests_[sources.size()].text()});
+    }
+    const Unit joined = home_.joins_files ? joinable(sources, submission_.headers) : Unit();
+    std::vector<Unit> units = share_out(sources, joined, compilers());
+    for (std::size_t i = 0; i < build_.files.size(); ++i) {
+      if (std::find(joined.begin(), joined.end(), i) == joined.end()) units.push_back({i});
+    }
+    return units;
+  }
+
+  std::size_t compilers() const {
+    return home_.compilers > 0 ? home_.compilers
+                               : std::max(1U, std::thread::hardware_concurrency());
+  }
+
+  void compile_unit(const Unit& unit) {
+    if (unit.size() > 1 && compile_joined(unit)) return;
+    for (std::size_t i : unit)
+      i < rests_.size() ? compile_source(i) : compile_adapter(i);
+  }
+
+  /// @return false if the compiler has anything to say: then each file has to hear it alone
+  bool compile_joined(const Unit& unit) {
+    const std::size_t first = unit.front();
+    std::vector<std::string> names;
+    for (std::size_t i : unit) {
+      names.push_back(build_.files[i].name);
+      workshops_[first].put(names.back(), rests_[i].text());
+    }
+    workshops_[first].put(kJoined, joined_source(names));
+    const std::string object = "~" + std::to_string(first) + ".o";
+    const ProcessResult result = compile(first, kJoined, object);
+    if (!result.ok() || !result.output.empty()) return false;
+    for (std::size_t i : unit) {
+      build_.files[i].ok = true;
+      objects_[i] = object;
+    }
+    return true;
   }
 
   /// Takes out of the splice what does not compile.
@@ -207,8 +261,8 @@ class Builder {
   }
 
   /// Compiles a file in its workshop, and takes the object out of it.
-  ProcessResult compile(std::size_t i, const std::string& file) const {
-    const std::string object = object_name(i);
+  ProcessResult compile(std::size_t i, const std::string& file,
+                        const std::string& object) const {
     std::vector<std::string> arguments{
         home_.compiler, flags_, "-ffile-prefix-map=" + workshops_[i].folder().string() + "=."};
     add_headers(arguments);
@@ -272,9 +326,6 @@ class Builder {
   /// Leaves out functions that do not compile, until the rest does or none is left to blame.
   void compile_source(std::size_t i) {
     BuiltFile& file = build_.files[i];
-    file.name = submission_.sources[i].name;
-    if (submission_.dialect == Dialect::kCourse2016) rests_[i].remove_members("BezierPatch");
-    if (submission_.dialect != Dialect::kMeshedit) rests_[i].mark_unwritten(graded_functions());
     const auto end = std::chrono::steady_clock::now() + time_limit();
     ProcessResult result = compile_rest(i);
     file.messages = messages_of(result);
@@ -290,30 +341,31 @@ class Builder {
   /// Compiles what is left of a source.
   ProcessResult compile_rest(std::size_t i) {
     BuiltFile& file = build_.files[i];
+    objects_[i] = file.name + ".o";
     workshops_[i].put(file.name, rests_[i].text());
-    ProcessResult result = compile(i, file.name);
-    if (is_dead_compiler(result)) result = compile(i, file.name);
+    ProcessResult result = compile(i, file.name, objects_[i]);
+    if (is_dead_compiler(result)) result = compile(i, file.name, objects_[i]);
     file.ok = result.ok();
     file.compiler_died = is_dead_compiler(result);
     file.left_out = file.ok ? rests_[i].left_out() : std::vector<LeftOut>();
     return result;
   }
 
-  void compile_adapter(std::size_t i, const std::string& name) {
+  void compile_adapter(std::size_t i) {
     BuiltFile& file = build_.files[i];
-    file.name = "~" + name;  // no submitted file can have this name
-    file.ok = compile(i, home_.include / "dropin" / name).ok();
+    objects_[i] = file.name + ".o";
+    file.ok = compile(i, home_.include / "dropin" / file.name.substr(1), objects_[i]).ok();
   }
-
-  std::string object_name(std::size_t i) const { return build_.files[i].name + ".o"; }
 
   /// Links the worker with these sources' objects. What the student's files define besides
   /// functions of the course is theirs alone: malloc, write or main cannot be replaced.
   ProcessResult link(const std::vector<std::size_t>& sources) const {
     const Workshop workshop(home_, limits_, build_.folder.path());
     std::vector<std::string> objects;
-    for (std::size_t i : sources)
-      objects.push_back(object_name(i));
+    for (std::size_t i : sources) {
+      if (std::find(objects.begin(), objects.end(), objects_[i]) == objects.end())
+        objects.push_back(objects_[i]);
+    }
     if (!objects.empty() && fs::exists(home_.kit / "merge.txt")) {
       ProcessResult merged = merge(workshop, objects);
       if (!merged.ok()) return merged;
@@ -351,14 +403,33 @@ class Builder {
     return found;
   }
 
+  std::vector<std::size_t> compiled() const {
+    std::vector<std::size_t> files;
+    for (std::size_t i = 0; i < build_.files.size(); ++i) {
+      if (build_.files[i].ok) files.push_back(i);
+    }
+    return files;
+  }
+
+  /// Compiles alone what was compiled as a part of something. @return whether there was any
+  bool take_apart() {
+    Unit joined;
+    for (std::size_t i = 0; i < rests_.size(); ++i) {
+      if (objects_[i] != build_.files[i].name + ".o") joined.push_back(i);
+    }
+    in_parallel(compilers(), joined.size(), [&](std::size_t i) { compile_source(joined[i]); });
+    return !joined.empty();
+  }
+
   /// Links all that compiled. If that fails, adds the objects one by one, until none is left
   /// that can be added: a file may need another one that comes later.
   void link_all() {
-    std::vector<std::size_t> waiting;
-    for (std::size_t i = 0; i < build_.files.size(); ++i) {
-      if (build_.files[i].ok) waiting.push_back(i);
-    }
+    std::vector<std::size_t> waiting = compiled();
     ProcessResult first = link(waiting);
+    if (!first.ok() && take_apart()) {
+      waiting = compiled();
+      first = link(waiting);
+    }
     for (int round = 0; round < kRounds && !first.ok() && leave_out_callers(first); ++round) {
       first = link(waiting);
     }
@@ -392,7 +463,8 @@ class Builder {
   Build build_;
   MemberSplice splice_;
   bool driver_ok_ = false;
-  std::vector<LeavingOut> rests_;  ///< of the sources
+  std::vector<LeavingOut> rests_;     ///< of the sources
+  std::vector<std::string> objects_;  ///< in which each file is; several may be in one
   std::vector<Workshop> workshops_;
 };
 

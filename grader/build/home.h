@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -21,6 +22,8 @@ struct Home {
   std::string compiler;                   ///< the C++ compiler for submissions
   Sandbox sandbox;                        ///< in which submissions are compiled and run
   std::shared_ptr<ScratchFolder> copies;  ///< of include and kit, where they must be copied
+  std::size_t compilers = 0;  ///< that may run at once for a submission; 0: one for each core
+  bool joins_files = true;    ///< compiles as one what is the same in one; see joining.h
 };
 
 }  // namespace meshgrade

@@ -12,6 +12,7 @@
 #include "grader/run/result_reader.h"
 #include "grader/run/symbolizer.h"
 #include "grader/sandbox/confined_run.h"
+#include "meshedit/fault.h"
 
 namespace meshgrade {
 namespace {
@@ -151,11 +152,18 @@ void recognise_library_check(const std::vector<StackFrame>& innermost, Outcome& 
   outcome.subject = "in " + innermost[aborted && innermost.size() > 1 ? 1 : 0].function;
 }
 
+/// Where a function that is not written stops is of no use to anybody.
+bool needs_stack(const EndFrame& end) {
+  return end.ending != Ending::kFault ||
+         end.fault_kind != static_cast<std::uint32_t>(meshedit::FaultKind::kNotImplemented);
+}
+
 /// Keeps of each stack what lies in the student's own files.
 void add_stacks(const Build& build, const std::vector<TaskResult>& tasks,
                 std::vector<Outcome>& outcomes) {
   std::set<std::uint64_t> addresses;
   for (const TaskResult& task : tasks) {
+    if (!needs_stack(task.end)) continue;
     for (std::uint64_t address : task.end.stack)
       addresses.insert(address - 1);
   }

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +17,7 @@
 #include "grader/app/context.h"
 #include "grader/app/grading.h"
 #include "grader/judge/judge.h"
+#include "grader/report/json_report.h"
 #include "grader/report/terminal_report.h"
 #include "tests/app/expectation.h"
 
@@ -98,7 +101,7 @@ void drop_other_files(Submission& submission, const std::vector<std::string>& ex
 }
 
 Report grade_folder(const fs::path& folder, const Expectation& expected,
-                    const std::vector<std::string>& exercises) {
+                    const std::vector<std::string>& exercises, const Home& home = find_home()) {
   Assignment assignment = read_assignment(standard_assignment());
   for (const auto& [limit, value] : expected.limits)
     assignment.limits.*limit = value;
@@ -109,7 +112,7 @@ Report grade_folder(const fs::path& folder, const Expectation& expected,
   }
   Submission submission = submission_in(folder, expected.alone, assignment.submission);
   if (!exercises.empty()) drop_other_files(submission, exercises);
-  return grade(assignment, submission, find_home(), exercises, [](const std::string&) {});
+  return grade(assignment, submission, home, exercises, [](const std::string&) {});
 }
 
 /// What a student reads about one exercise.
@@ -212,6 +215,42 @@ TEST_P(RightSubmission, GetsFullPoints) {
 
 INSTANTIATE_TEST_SUITE_P(Submissions, RightSubmission,
                          testing::ValuesIn(folders_in(kSubmissions / "right")), test_name);
+
+/// Every 20th submission: all of them take some ten minutes.
+std::vector<Folder> some_submissions() {
+  std::vector<Folder> all = wrong_submissions();
+  for (const Folder& folder : folders_in(kSubmissions / "right"))
+    all.push_back(folder);
+  const char* every = std::getenv("MESHGRADE_TEST_EVERY");
+  const std::size_t step = every == nullptr ? 20 : std::strtoul(every, nullptr, 10);
+  std::vector<Folder> some;
+  for (std::size_t i = 0; i < all.size(); i += std::max<std::size_t>(step, 1))
+    some.push_back(all[i]);
+  return some;
+}
+
+/// The report without how much was printed before the clock stopped it: never the same twice.
+std::string comparable(const Report& report) {
+  static const std::regex printed("\"output_bytes\": [0-9]+");
+  return std::regex_replace(to_json(report), printed, "");
+}
+
+class FilesCompiledAsOne : public testing::TestWithParam<Folder> {};
+
+TEST_P(FilesCompiledAsOne, GiveTheSameReport) {
+  const fs::path& folder = GetParam().path;
+  const Expectation expected = read_expectation(folder);
+  const std::string parent = folder.parent_path().filename().string();
+  std::vector<std::string> exercises;
+  if (parent != "right") exercises = {parent};
+  Home home = find_home();
+  const std::string together = comparable(grade_folder(folder, expected, exercises, home));
+  home.joins_files = false;
+  EXPECT_EQ(comparable(grade_folder(folder, expected, exercises, home)), together);
+}
+
+INSTANTIATE_TEST_SUITE_P(Submissions, FilesCompiledAsOne, testing::ValuesIn(some_submissions()),
+                         test_name);
 
 }  // namespace
 }  // namespace meshgrade

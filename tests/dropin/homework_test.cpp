@@ -91,6 +91,16 @@ TEST(Homework, BoundarySplitsEarnTheExtraCredit) {
   EXPECT_EQ(report.extra_points, report.max_extra_points);
 }
 
+TEST(Homework, ThatDoesNothingForTheExtraCreditIsNotRunTwice) {
+  const Report report = grade_all(hand_in("since_2020"));
+  for (const ExerciseReport& exercise : report.exercises) {
+    EXPECT_EQ(exercise.verdict, Verdict::kPassed) << exercise.name;
+    EXPECT_TRUE(exercise.stand_ins.empty()) << exercise.name;
+    for (const std::string& note : exercise.notes)
+      EXPECT_EQ(note.find("again"), std::string::npos) << note;
+  }
+}
+
 TEST(Homework, Of2016IsGradedWithoutItsBezierPart) {
   const Report report = grade_all(hand_in("of_2016"));
   EXPECT_EQ(verdicts(report), (Verdicts{{"bezier_curve", "not implemented"},
