@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
+#include "grader/base/pattern.h"
 #include "grader/base/text.h"
 
 namespace meshgrade {
@@ -18,23 +18,23 @@ constexpr const char* kLogName = "sanitizer";  // the sanitizers add ".<process 
 constexpr std::size_t kLongestLine = 2000;
 
 std::string cleaned_line(std::string line) {
-  static const std::regex process_number("^==\\d+==\\s*(ERROR: )?");
-  static const std::regex registers(" ?(at|\\()(pc| pc) 0x.*$");
-  static const std::regex addresses("( on address| at|,)? ?[\\[(]?0x[0-9a-f]+[\\])]?");
-  static const std::regex thread(" thread T0");
-  line = std::regex_replace(line, process_number, "");
-  line = std::regex_replace(line, registers, "");
-  line = std::regex_replace(line, addresses, "");
-  return std::regex_replace(line, thread, "");
+  static const Pattern process_number("^==\\d+==\\s*(ERROR: )?");
+  static const Pattern registers(" ?(at|\\()(pc| pc) 0x.*$");
+  static const Pattern addresses("( on address| at|,)? ?[\\[(]?0x[0-9a-f]+[\\])]?");
+  static const Pattern thread(" thread T0");
+  line = process_number.replaced(line, "");
+  line = registers.replaced(line, "");
+  line = addresses.replaced(line, "");
+  return thread.replaced(line, "");
 }
 
 /// "    #1 0x4021 in name(arguments) ./edge_flip.cpp:12" -> "    in name(...)
 /// edge_flip.cpp:12"; empty for what is not in the student's files.
 std::string cleaned_frame(const std::string& line) {
-  static const std::regex own("^\\s*#\\d+ 0x[0-9a-f]+ in (.*) (\\./)*([^/ :]+:\\d+)(:\\d+)?$");
-  std::smatch parts;
-  if (!std::regex_match(line, parts, own)) return {};
-  return "      " + parts[3].str() + ", " + parts[1].str();
+  static const Pattern own("^\\s*#\\d+ 0x[0-9a-f]+ in (.*) (\\./)*([^/ :]+:\\d+)(:\\d+)?$");
+  Pattern::Groups parts;
+  if (!own.matches(line, parts)) return {};
+  return "      " + parts[3] + ", " + parts[1];
 }
 
 bool is_frame(const std::string& line) {

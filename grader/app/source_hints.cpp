@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <regex>
 #include <set>
 
+#include "grader/base/pattern.h"
 #include "grader/base/text.h"
 #include "grader/submission/code_only.h"
 
@@ -55,19 +55,19 @@ std::size_t after_parentheses(const std::string& text, std::size_t open) {
 // student's file has characters.
 
 bool divides_whole_numbers(const std::string& source) {
-  static const std::regex division(
+  static const Pattern division(
       R"((^|[^\w.])\d{1,9}\s{0,9}/\s{0,9}(\d{1,9}(?![\w.])|\([^().]{0,80}\)|[A-Za-z_]))");
-  return std::regex_search(code_only(source), division);
+  return division.is_in(code_only(source));
 }
 
 std::string find_static_variable(const std::string& source) {
-  static const std::regex variable(R"(^\s{0,80}static\s{1,9}(?!const|inline))");
+  static const Pattern variable(R"(^\s{0,80}static\s{1,9}(?!const|inline))");
   const std::vector<std::string> lines = split_lines(code_only(source));
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::size_t name_end = lines[i].find_first_of("=;()");
     const bool is_variable = name_end != std::string::npos &&
                              (lines[i][name_end] == '=' || lines[i][name_end] == ';');
-    if (!is_variable || !std::regex_search(lines[i], variable)) continue;
+    if (!is_variable || !variable.is_in(lines[i])) continue;
     const std::size_t begin = lines[i].find_first_not_of(" \t");
     const std::size_t size = std::min(lines[i].find(';') - begin, kMostShown);
     const std::string text = lines[i].substr(begin, size);
@@ -79,16 +79,14 @@ std::string find_static_variable(const std::string& source) {
 int find_free_function(const std::string& source, const std::string& name) {
   if (source.find(name) == std::string::npos) return 0;  // most files: much quicker than below
   const std::string text = code_only(source);
-  const std::regex call("\\b" + name + "\\s{0,9}\\(");
-  static const std::regex body(R"(^\s*(const\b\s*)?\{)");
-  for (std::sregex_iterator it(text.begin(), text.end(), call), end; it != end; ++it) {
-    const auto at = static_cast<std::size_t>(it->position());
+  const Pattern call("\\b" + name + "\\s{0,9}\\(");
+  static const Pattern body(R"(^\s*(const\b\s*)?\{)");
+  for (const auto& [at, size] : call.places_in(text)) {
     const std::size_t before = text.find_last_not_of(" \t\n", at == 0 ? 0 : at - 1);
     if (at == 0 || before == std::string::npos || text[before] == ':') continue;
-    const std::size_t after =
-        after_parentheses(text, at + static_cast<std::size_t>(it->length()) - 1);
+    const std::size_t after = after_parentheses(text, at + size - 1);
     const std::string rest = text.substr(after, 40);
-    if (std::regex_search(rest, body)) return line_of(text, at);
+    if (body.is_in(rest)) return line_of(text, at);
   }
   return 0;
 }

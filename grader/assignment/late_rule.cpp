@@ -1,9 +1,9 @@
 #include "grader/assignment/late_rule.h"
 
 #include <chrono>
-#include <regex>
 
 #include "grader/assignment/toml_section.h"
+#include "grader/base/pattern.h"
 #include "grader/base/safe_file.h"
 
 namespace meshgrade {
@@ -63,16 +63,18 @@ std::optional<LateRule> read_late_rule(const std::filesystem::path& file) {
 }
 
 std::optional<std::int64_t> read_moment(const std::string& text, std::int64_t zone) {
-  static const std::regex form(
+  static const Pattern form(
       "\\s*([0-9]{4})-([0-9]{2})-([0-9]{2})[T "
       "]([0-9]{2}):([0-9]{2})(?::([0-9]{2})(?:[.,][0-9]+)"
       "?)?\\s*(Z|UTC|GMT|[+-][0-9]{2}:?[0-9]{2})?\\s*");
-  std::smatch found;
-  if (text.size() > 100 || !std::regex_match(text, found, form)) return std::nullopt;
-  const auto number = [&](std::size_t i) { return found[i].matched ? std::stoi(found[i]) : 0; };
+  Pattern::Groups found;
+  if (text.size() > 100 || !form.matches(text, found)) return std::nullopt;
+  const auto number = [&](std::size_t i) {
+    return !found[i].empty() ? std::stoi(found[i]) : 0;
+  };
   const auto day = seconds_of_day(number(1), number(2), number(3));
   if (!day || number(4) > 23 || number(5) > 59 || number(6) > 60) return std::nullopt;
-  const std::int64_t east = found[7].matched ? zone_of(found[7]) : zone;
+  const std::int64_t east = !found[7].empty() ? zone_of(found[7]) : zone;
   return *day + 3600 * number(4) + 60 * number(5) + number(6) - east;
 }
 

@@ -15,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "grader/base/cancel.h"
 #include "grader/base/errors.h"
 #include "grader/base/interrupt.h"
 #include "grader/base/process_tree.h"
@@ -90,7 +91,7 @@ class Running {
 
  private:
   static constexpr std::chrono::milliseconds kBetweenLooks{5};
-  static constexpr std::chrono::milliseconds kNoticesInterrupts{200};
+  static constexpr std::chrono::milliseconds kNoticesInterrupts{50};
   static constexpr std::chrono::seconds kTimeToEndItsOwn{5};
 
   /// Whether a limit is reached; looks at memory and processes too, but not all the time.
@@ -105,7 +106,7 @@ class Running {
                               use.memory > command_.most_memory;
       next_look_ = now + kBetweenLooks;
     }
-    return result_.stopped() || interruption() != 0;
+    return result_.stopped() || interruption() != 0 || is_cancelled();
   }
 
   bool watches_use() const { return command_.most_memory > 0 || command_.most_processes > 0; }
@@ -249,6 +250,7 @@ ProcessResult run_process(const Command& command) {
   const bool started = ::read(failure.read_end.get(), &failed, 1) <= 0;
   ProcessResult result = Running(child, std::move(output.read_end), command).wait();
   if (interruption() != 0) throw Interrupted{interruption()};
+  if (is_cancelled()) throw Cancelled{};
   if (!started) {
     throw GraderError("cannot run " + command.arguments.at(0) + ": is it installed?");
   }

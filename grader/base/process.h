@@ -93,6 +93,7 @@ struct ProcessResult {
 /// Runs a program to its end, or to a limit, when it and its process group are killed.
 /// @throws GraderError if it cannot be started at all
 /// @throws Interrupted if this program is to end: then the other has ended already
+/// @throws Cancelled if another thread asks for that: likewise
 ProcessResult run_process(const Command& command);
 
 }  // namespace meshgrade

@@ -13,6 +13,10 @@ namespace meshgrade {
 /// before it reaches a terminal or a report.
 std::string printable(std::string_view text);
 
+/// The same as text of a page of HTML, also in an attribute: what is quoted of a student's code
+/// or output rules no page.
+std::string html_text(std::string_view text);
+
 std::vector<std::string> split_lines(std::string_view text);
 std::string join(const std::vector<std::string>& parts, std::string_view between);
 

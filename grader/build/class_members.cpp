@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <regex>
 
+#include "grader/base/pattern.h"
 #include "grader/submission/code_only.h"
 
 namespace meshgrade {
@@ -210,8 +210,8 @@ class BodyReader {
     const std::string code = constructors_.substr(0, kMost);
     for (const std::string& form : {"\\b" + name + "\\s*[({]\\s*" + value + "\\s*[)}]",
                                     "\\b" + name + "\\s*=\\s*" + value + "\\s*;"}) {
-      std::smatch found;
-      if (std::regex_search(code, found, std::regex(form))) return found[1];
+      Pattern::Groups found;
+      if (Pattern(form).is_in(code, found)) return found[1];
     }
     return {};
   }

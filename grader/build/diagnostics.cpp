@@ -1,9 +1,9 @@
 #include "grader/build/diagnostics.h"
 
 #include <optional>
-#include <regex>
 #include <utility>
 
+#include "grader/base/pattern.h"
 #include "grader/base/text.h"
 
 namespace meshgrade {
@@ -18,10 +18,10 @@ struct Head {
 };
 
 std::optional<Head> read_head(const std::string& line) {
-  static const std::regex form(
+  static const Pattern form(
       "([^\\s:][^:]*):([0-9]{1,9})(?::[0-9]+)?: (warning|error|fatal error|note): (.*)");
-  std::smatch found;
-  if (line.size() > 4000 || !std::regex_match(line, found, form)) return std::nullopt;
+  Pattern::Groups found;
+  if (line.size() > 4000 || !form.matches(line, found)) return std::nullopt;
   return Head{found[1], std::stoi(found[2]), found[3], found[4]};
 }
 
@@ -45,22 +45,22 @@ bool tells_of_function(const std::string& line) {
 
 /// A message of the linker, or of the compiler about itself: "/usr/bin/ld: ...".
 bool is_of_a_tool(const std::string& line) {
-  static const std::regex form("\\S*(ld|collect2|cc1plus|clang[^:]*|[cg]\\+\\+[^:]*)(: .*)");
-  return line.size() < 4000 && std::regex_match(line, form);
+  static const Pattern form("\\S*(ld|collect2|cc1plus|clang[^:]*|[cg]\\+\\+[^:]*)(: .*)");
+  return line.size() < 4000 && form.matches(line);
 }
 
 }  // namespace
 
 std::vector<CompilerWarning> warnings_in(const std::string& messages) {
-  static const std::regex named("(.*) \\[(-W[^\\]]*)\\]");
+  static const Pattern named("(.*) \\[(-W[^\\]]*)\\]");
   std::vector<CompilerWarning> warnings;
   for (const std::string& line : split_lines(messages)) {
     const std::optional<Head> head = read_head(line);
     if (!head || head->severity != "warning") continue;
-    std::smatch found;
-    const bool has_name = std::regex_match(head->text, found, named);
-    warnings.push_back({head->file, head->line, has_name ? found[1].str() : head->text,
-                        has_name ? found[2].str() : ""});
+    Pattern::Groups found;
+    const bool has_name = named.matches(head->text, found);
+    warnings.push_back(
+        {head->file, head->line, has_name ? found[1] : head->text, has_name ? found[2] : ""});
   }
   return warnings;
 }

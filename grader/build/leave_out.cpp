@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <regex>
 
+#include "grader/base/pattern.h"
 #include "grader/base/text.h"
 #include "grader/build/function_extents.h"
 #include "grader/submission/code_only.h"
@@ -122,7 +122,7 @@ std::vector<std::pair<FunctionExtent, Complaint>> to_blame(
 
 /// Whether a body, from brace to brace, says nothing. `head` is what stands in front of it.
 bool does_nothing(const std::string& head, const std::string& body) {
-  static const std::regex form(
+  static const Pattern form(
       "\\{"
       "(?:showError\\(\\);|(?:std::)?(?:cout|cerr)<<[^;]*;)*"  // a message
       "(?:(?!return|throw|delete)(?:std::)?(?:vector<)?\\w+(?:>| "
@@ -134,11 +134,11 @@ bool does_nothing(const std::string& head, const std::string& body) {
       "\\}");
   constexpr std::size_t kMost = 400;  // std::regex goes as deep as a text is long
   const std::string code = squeeze(code_only(body));
-  std::smatch found;
-  if (code.size() > kMost || !std::regex_match(code, found, form)) return false;
+  Pattern::Groups found;
+  if (code.size() > kMost || !form.matches(code, found)) return false;
   const std::string returned = found[2];
   if (returned.empty() || returned == found[1]) return true;
-  return std::regex_search(head, std::regex("\\b" + returned + "\\s*\\)"));
+  return Pattern("\\b" + returned + "\\s{0,20}\\)").is_in(head);
 }
 
 }  // namespace

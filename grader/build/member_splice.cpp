@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <regex>
 #include <set>
 
+#include "grader/base/pattern.h"
 #include "grader/base/text.h"
 #include "grader/build/function_extents.h"
 #include "grader/submission/code_only.h"
+#include "grader/submission/course_files.h"
 
 namespace meshgrade {
 namespace {
@@ -110,22 +111,25 @@ std::size_t letters_apart(const std::string& a, const std::string& b) {
 
 /// The type of a member by how it is used in this code; empty if that does not tell.
 std::string type_from_use(const std::string& code, const std::string& name) {
+  // A pattern goes one call deeper with each repetition: none may repeat as often as a
+  // student's file has characters.
+  const std::string plain = squeeze(code);
   const std::string member = "(?:->|\\.)" + name + "\\b";
   const auto used = [&](const std::string& before, const std::string& behind) {
-    return std::regex_search(code, std::regex(before + member + behind));
+    return Pattern(before + member + behind).is_in(plain);
   };
-  if (used("", "\\s*\\(")) return {};
-  if (used("", "\\s*=\\s*(?:true|false)\\b") || used("!\\s*\\w+", "") ||
-      used("", "\\s*[!=]=\\s*(?:true|false)\\b")) {
+  if (used("", "\\s?\\(")) return {};
+  if (used("", "\\s?=\\s?(?:true|false)\\b") || used("!\\s?\\w{1,80}", "") ||
+      used("", "\\s?[!=]=\\s?(?:true|false)\\b")) {
     return "bool";
   }
-  if (used("", "\\s*=\\s*Vector3D\\b") || used("", "\\.(?:x|y|z|norm|unit|normalize)\\b")) {
+  if (used("", "\\s?=\\s?Vector3D\\b") || used("", "\\.(?:x|y|z|norm|unit|normalize)\\b")) {
     return "Vector3D";
   }
-  if (used("", "\\s*[-+*/]?=\\s*[-0-9]*[0-9]*\\.[0-9]")) return "double";
-  if (used("", "(?:\\+\\+|--)") || used("(?:\\+\\+|--)\\w+", "") ||
-      used("", "\\s*[-+]?=\\s*-?[0-9]+\\s*;") || used("", "\\s*%") ||
-      used("", "\\s*[-+]\\s*[0-9]+\\b(?!\\.)")) {
+  if (used("", "\\s?[-+*/]?=\\s?[-0-9]{0,20}\\.[0-9]")) return "double";
+  if (used("", "(?:\\+\\+|--)") || used("(?:\\+\\+|--)\\w{1,80}", "") ||
+      used("", "\\s?[-+]?=\\s?-?[0-9]{1,20}\\s?;") || used("", "\\s?%") ||
+      used("", "\\s?[-+]\\s?[0-9]{1,20}\\b(?!\\.)")) {
     return "int";
   }
   if (name.rfind("is", 0) == 0 || name.rfind("has", 0) == 0 || name.rfind("was", 0) == 0) {

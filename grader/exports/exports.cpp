@@ -1,8 +1,8 @@
 #include "grader/exports/exports.h"
 
 #include <cmath>
-#include <regex>
 
+#include "grader/base/pattern.h"
 #include "grader/base/text.h"
 #include "grader/exports/formats/formats.h"
 
@@ -77,8 +77,8 @@ double full_points(const ClassResults& results, const ExportOptions& options) {
 }
 
 double gradebook_number(std::string text) {
-  static const std::regex form("[0-9]+([.,][0-9]+)?");
-  if (!std::regex_match(text, form)) return std::nan("");
+  static const Pattern form("[0-9]+([.,][0-9]+)?");
+  if (!form.matches(text)) return std::nan("");
   const std::size_t comma = text.find(',');
   if (comma != std::string::npos) text[comma] = '.';
   return std::stod(text);

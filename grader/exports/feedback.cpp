@@ -5,32 +5,12 @@
 namespace meshgrade {
 namespace {
 
-/// What is quoted of a student's code or output rules no page.
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      case '\n':
-      case '\r':
-        html += ' ';
-        break;
-      default:
-        html += c;
-    }
+/// On one line.
+std::string escaped(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
   }
-  return html;
+  return html_text(text);
 }
 
 /// The first thing that is wrong, in a sentence.

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <regex>
+
+#include "grader/base/pattern.h"
 
 namespace meshgrade {
 namespace {
@@ -34,16 +35,16 @@ PointerName pointer_of_variable(const std::string& variable, const std::string& 
 
 /// The pointers that a line sets, with the values; nothing for a line that does anything else.
 std::map<PointerName, std::string> assignments(const std::string& line) {
-  static const std::regex all(
+  static const Pattern all(
       R"((\w+)->setNeighbors\(([^,]+), ([^,]+), ([^,]+), ([^,]+), ([^,]+)\);)");
-  static const std::regex one(R"((\w+)->(next|twin|vertex|edge|face|halfedge)\(\) = ([^;]+);)");
+  static const Pattern one(R"((\w+)->(next|twin|vertex|edge|face|halfedge)\(\) = ([^;]+);)");
   static const char* const members[] = {"next", "twin", "vertex", "edge", "face"};
   std::map<PointerName, std::string> set;
-  std::smatch match;
-  if (std::regex_match(line, match, all)) {
+  Pattern::Groups match;
+  if (all.matches(line, match)) {
     for (std::size_t i = 0; i < 5; ++i)
       set[pointer_of_variable(match[1], members[i])] = match[i + 2];
-  } else if (std::regex_match(line, match, one)) {
+  } else if (one.matches(line, match)) {
     set[pointer_of_variable(match[1], match[2])] = match[3];
   }
   return set;
@@ -69,10 +70,10 @@ std::set<PointerName> wrong_pointers(const Mutant& mutant) {
 }
 
 PointerName named_pointer(const std::string& element) {
-  static const std::regex form(R"(([hvef])\d+\.(\w+), of (\w+))");
-  std::smatch match;
-  if (!std::regex_match(element, match, form)) return {};
-  return pointer_name(match.str(1)[0], match[3], match[2]);
+  static const Pattern form(R"(([hvef])\d+\.(\w+), of (\w+))");
+  Pattern::Groups match;
+  if (!form.matches(element, match)) return {};
+  return pointer_name(match[1][0], match[3], match[2]);
 }
 
 }  // namespace meshgrade

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <regex>
 #include <set>
 
+#include "grader/base/pattern.h"
 #include "grader/base/text.h"
 #include "grader/mutants/source_code.h"
 
@@ -31,11 +31,11 @@ std::string join_lines(const Lines& lines) {
 }
 
 /// Calls `change` for each run of lines that match the form.
-void for_each_run(Lines& lines, const std::regex& form,
+void for_each_run(Lines& lines, const Pattern& form,
                   const std::function<void(std::size_t first, std::size_t end)>& change) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::size_t end = i;
-    while (end < lines.size() && std::regex_match(lines[end], form))
+    while (end < lines.size() && form.matches(lines[end]))
       ++end;
     if (end > i) change(i, end);
     i = std::max(i, end);
@@ -44,7 +44,7 @@ void for_each_run(Lines& lines, const std::regex& form,
 
 /// `const HalfedgeIter bm = h;` and its neighbours of the same type exchange their values.
 std::string exchange_parts(const std::string& text, Random& random) {
-  static const std::regex declaration(
+  static const Pattern declaration(
       R"((\s*const (?:Halfedge|Edge|Face)Iter \w+ = )((?:\w+\.)?new\w+\(\)|\w+)(;))");
   Lines lines = split_lines(text);
   const auto type = [](const std::string& line) { return line.substr(0, line.find("Iter")); };
@@ -52,9 +52,9 @@ std::string exchange_parts(const std::string& text, Random& random) {
     for (std::size_t i = first; i < end;) {
       std::size_t last = i;
       std::vector<std::string> values;
-      std::smatch match;
+      Pattern::Groups match;
       for (; last < end && type(lines[last]) == type(lines[i]); ++last) {
-        std::regex_match(lines[last], match, declaration);
+        declaration.matches(lines[last], match);
         values.push_back(match[2]);
       }
       shuffle(values, random);
@@ -70,7 +70,7 @@ std::string exchange_parts(const std::string& text, Random& random) {
 
 /// Lines that only set pointers to variables, each another one, may come in any order.
 std::string reorder_assignments(const std::string& text, Random& random) {
-  static const std::regex assignment(
+  static const Pattern assignment(
       R"(\s*\w+->(?:setNeighbors\(\w+(?:, \w+){4}\)|\w+\(\) = \w+);)");
   Lines lines = split_lines(text);
   for_each_run(lines, assignment, [&](std::size_t first, std::size_t end) {
@@ -83,20 +83,19 @@ std::string reorder_assignments(const std::string& text, Random& random) {
 }
 
 std::string single_assignments(const std::string& text, Random& random) {
-  static const std::regex call(
+  static const Pattern call(
       R"((\s*)(\w+)->setNeighbors\(([^,]+), ([^,]+), ([^,]+), ([^,]+), ([^,]+)\);)");
   static const char* const members[] = {"next", "twin", "vertex", "edge", "face"};
   Lines lines;
   for (const std::string& line : split_lines(text)) {
-    std::smatch match;
-    if (!std::regex_match(line, match, call) || random.below(3) != 0) {
+    Pattern::Groups match;
+    if (!call.matches(line, match) || random.below(3) != 0) {
       lines.push_back(line);
       continue;
     }
     Lines parts;
     for (std::size_t i = 0; i < 5; ++i) {
-      parts.push_back(match.str(1) + match.str(2) + "->" + members[i] +
-                      "() = " + match.str(i + 3) + ";");
+      parts.push_back(match[1] + match[2] + "->" + members[i] + "() = " + match[i + 3] + ";");
     }
     shuffle(parts, random);
     lines.insert(lines.end(), parts.begin(), parts.end());
@@ -120,13 +119,13 @@ bool may_anchor(const std::string& element, std::string_view halfedge) {
 
 std::string choose_anchors(const std::string& text, Random& random) {
   const SourceCode code(text);
-  static const std::regex anchor(R"((\w|edge_\w\w|face_\w\w\w)->halfedge\(\) = (\w\w);)");
+  static const Pattern anchor(R"((\w|edge_\w\w|face_\w\w\w)->halfedge\(\) = (\w\w);)");
   std::string result = text;
   std::ptrdiff_t shift = 0;
   for (Span statement : code.statements()) {
     const std::string line(code.text_of(statement));
-    std::smatch match;
-    if (!code.is_open(statement) || !std::regex_match(line, match, anchor)) continue;
+    Pattern::Groups match;
+    if (!code.is_open(statement) || !anchor.matches(line, match)) continue;
     std::vector<std::string> choices;
     for (const Declaration& d : code.declarations()) {
       const Token& name = code.tokens()[d.name];

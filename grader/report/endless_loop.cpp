@@ -1,9 +1,9 @@
 #include "grader/report/endless_loop.h"
 
 #include <algorithm>
-#include <regex>
 #include <vector>
 
+#include "grader/base/pattern.h"
 #include "grader/submission/code_only.h"
 
 namespace meshgrade {
@@ -21,13 +21,12 @@ class LoopReader {
   };
 
   std::vector<Loop> read() const {
-    static const std::regex keyword(R"(\b(for|while|do)\b)");
+    static const Pattern keyword(R"(\b(for|while|do)\b)");
     std::vector<Loop> loops;
-    for (std::sregex_iterator it(text_.begin(), text_.end(), keyword), end; it != end; ++it) {
-      const auto at = static_cast<std::size_t>(it->position());
-      const std::size_t after = at + static_cast<std::size_t>(it->length());
-      loops.push_back(it->str() == "do" ? read_do(at, after)
-                                        : read_head(it->str() == "for", at, after));
+    for (const auto& [at, size] : keyword.places_in(text_)) {
+      const std::string word = text_.substr(at, size);
+      loops.push_back(word == "do" ? read_do(at, at + size)
+                                   : read_head(word == "for", at, at + size));
     }
     return loops;
   }

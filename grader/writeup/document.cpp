@@ -18,29 +18,6 @@ std::string markdown_text(const std::string& text) {
   return safe;
 }
 
-std::string html_text(const std::string& text) {
-  std::string safe;
-  for (const char c : printable(text)) {
-    switch (c) {
-      case '&':
-        safe += "&amp;";
-        break;
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += c;
-    }
-  }
-  return safe;
-}
-
 constexpr const char* kStyle = R"(
 :root { color-scheme: light dark; --ink: #1b2127; --quiet: #545d68; --ground: #fff;
   --line: #dde1e6; --wrong: #ad3500; --soft: #fdeee6; }

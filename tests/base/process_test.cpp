@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <csignal>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <thread>
 
+#include "grader/base/cancel.h"
 #include "grader/base/errors.h"
 
 namespace meshgrade {
@@ -221,6 +223,20 @@ TEST(Process, EnvironmentIsReplacedOnlyWhereOneIsGiven) {
   command.environment = {"MESHGRADE_TEST=there"};
   EXPECT_EQ(run_process(command).output, "there\n");
   ::unsetenv("MESHGRADE_TEST");
+}
+
+TEST(Process, IsEndedWhenItsResultIsNotWantedAnyMore) {
+  expect_quick([] {
+    std::optional<Cancellation> cancellation;
+    std::thread other([&] {
+      std::this_thread::sleep_for(milliseconds(100));
+      cancellation.emplace();
+    });
+    EXPECT_THROW(run_process(shell("sleep 30")), Cancelled);
+    other.join();
+    cancellation.reset();
+    EXPECT_EQ(run_process(shell("echo on")).output, "on\n");
+  });
 }
 
 }  // namespace

@@ -73,6 +73,11 @@ TEST(Printable, AnyBytesBecomeCleanTextThatStaysAsItIs) {
   }
 }
 
+TEST(HtmlText, NothingInItIsMarkup) {
+  EXPECT_EQ(html_text("<a href=\"x\">&\x1b</a>\n"),
+            "&lt;a href=&quot;x&quot;&gt;&amp;?&lt;/a&gt;\n");
+}
+
 TEST(SplitLines, JoinedLinesAreTheTextAgain) {
   EXPECT_EQ(split_lines("a\n\nb"), (std::vector<std::string>{"a", "", "b"}));
   EXPECT_EQ(split_lines("a\n"), (std::vector<std::string>{"a"}));

@@ -100,6 +100,17 @@ TEST(MemberSplice, TellsDataFromTheirUse) {
   EXPECT_FALSE(splice.add_from_use(uses, submission)) << "only once";
 }
 
+TEST(MemberSplice, TellsDataFromTheirUseInCodeOfAnyLength) {
+  const Submission submission = homework("e->isBlue" + std::string(500'000, ' ') +
+                                         "= true;\n!e->" + std::string(500'000, 'x') +
+                                         ";\ne->times = " + std::string(500'000, '1') + ";\n");
+  MemberSplice splice(submission);
+  splice.add_from_use(
+      {{"Edge", "isBlue", "student_code.cpp:1"}, {"Edge", "times", "student_code.cpp:3"}},
+      submission);
+  EXPECT_TRUE(holds(text_of(splice, "meshedit_added_data.h"), "bool isBlue{};"));
+}
+
 TEST(MemberSplice, TellsFunctionsFromTheirDefinitions) {
   const Submission submission = homework(
       "bool CGL::HalfedgeMesh::canFlip( EdgeIter e /* any */ ) const { return true; }");

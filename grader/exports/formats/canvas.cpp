@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <regex>
 #include <set>
 
 #include "grader/base/csv.h"
 #include "grader/base/errors.h"
+#include "grader/base/pattern.h"
 #include "grader/base/text.h"
 #include "grader/exports/formats/formats.h"
 
@@ -76,18 +76,18 @@ bool is_excused(std::string score) {
 }
 
 bool is_called(const std::string& column, const std::string& name) {
-  static const std::regex form("(.*) \\(([0-9]+)\\)");
-  std::smatch found;
+  static const Pattern form("(.*) \\(([0-9]+)\\)");
+  Pattern::Groups found;
   if (column == name) return true;
-  return std::regex_match(column, found, form) && (found[1] == name || found[2] == name);
+  return form.matches(column, found) && (found[1] == name || found[2] == name);
 }
 
 std::size_t find_column(const CsvRecord& header, std::size_t section, const std::string& name) {
-  static const std::regex assignment(".* \\([0-9]+\\)");
+  static const Pattern assignment(".* \\([0-9]+\\)");
   std::vector<std::size_t> found;
   std::vector<std::string> names;
   for (std::size_t i = section + 1; i < header.size(); ++i) {
-    if (!std::regex_match(header[i].text, assignment)) continue;
+    if (!assignment.matches(header[i].text)) continue;
     names.push_back("\"" + header[i].text + "\"");
     if (name.empty() || is_called(header[i].text, name)) found.push_back(i);
   }

@@ -6,11 +6,11 @@
 
 #include <cmath>
 #include <map>
-#include <regex>
 #include <set>
 
 #include "grader/base/csv.h"
 #include "grader/base/errors.h"
+#include "grader/base/pattern.h"
 #include "grader/base/text.h"
 #include "grader/exports/formats/formats.h"
 
@@ -28,9 +28,9 @@ std::size_t find_column(const CsvRecord& header, const std::string& name) {
 
 /// "4711" of "Participant 4711"; empty if it is something else.
 std::string participant(const std::string& identifier) {
-  static const std::regex form(".*?([0-9]+)");
-  std::smatch found;
-  return std::regex_match(identifier, found, form) ? found[1].str() : std::string();
+  static const Pattern form(".*?([0-9]+)");
+  Pattern::Groups found;
+  return form.matches(identifier, found) ? found[1] : std::string();
 }
 
 class WorksheetFilling {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <regex>
 
+#include "grader/base/pattern.h"
 #include "grader/roster/layouts/layouts.h"
 #include "grader/roster/listing.h"
 
@@ -22,9 +22,9 @@ struct AutolabName {
 
 std::optional<AutolabName> parse(const std::string& name) {
   // An address may hold "_" before the "@", and none after it.
-  static const std::regex form("(.+@[^_@]+)_([0-9]{1,8})_(.+)");
-  std::smatch found;
-  if (name.rfind("annotated_", 0) == 0 || !std::regex_match(name, found, form)) {
+  static const Pattern form("(.+@[^_@]+)_([0-9]{1,8})_(.+)");
+  Pattern::Groups found;
+  if (name.rfind("annotated_", 0) == 0 || !form.matches(name, found)) {
     return std::nullopt;
   }
   return AutolabName{found[1], std::stoi(found[2]), found[3]};

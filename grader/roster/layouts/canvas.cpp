@@ -4,8 +4,8 @@
 // in _text.html, a link in _link.html.
 
 #include <optional>
-#include <regex>
 
+#include "grader/base/pattern.h"
 #include "grader/roster/layouts/layouts.h"
 #include "grader/roster/listing.h"
 
@@ -22,18 +22,18 @@ struct CanvasName {
 };
 
 std::optional<CanvasName> parse(const std::string& name) {
-  static const std::regex anonymous("(LATE_)?anon_(LATE_)?([A-Za-z0-9]+)_([0-9]+)_(.+)");
-  static const std::regex named("(.*?)(_LATE)?_([0-9]+)_([0-9]+)_(.+)");
-  static const std::regex typed("(.*?)(_LATE)?_([0-9]+)_(text|link)\\.html");
-  std::smatch found;
-  if (std::regex_match(name, found, anonymous)) {
-    return CanvasName{"anon", found[3], found[5], found[1].matched || found[2].matched};
+  static const Pattern anonymous("(LATE_)?anon_(LATE_)?([A-Za-z0-9]+)_([0-9]+)_(.+)");
+  static const Pattern named("(.*?)(_LATE)?_([0-9]+)_([0-9]+)_(.+)");
+  static const Pattern typed("(.*?)(_LATE)?_([0-9]+)_(text|link)\\.html");
+  Pattern::Groups found;
+  if (anonymous.matches(name, found)) {
+    return CanvasName{"anon", found[3], found[5], !found[1].empty() || !found[2].empty()};
   }
-  if (std::regex_match(name, found, named)) {
-    return CanvasName{found[1], found[3], found[5], found[2].matched};
+  if (named.matches(name, found)) {
+    return CanvasName{found[1], found[3], found[5], !found[2].empty()};
   }
-  if (std::regex_match(name, found, typed)) {
-    return CanvasName{found[1], found[3], found[4].str() + ".html", found[2].matched};
+  if (typed.matches(name, found)) {
+    return CanvasName{found[1], found[3], found[4] + ".html", !found[2].empty()};
   }
   return std::nullopt;
 }
@@ -48,8 +48,8 @@ bool recognise(const fs::path& folder) {
 
 /// Canvas puts -1, -2 before the ending of a file that is handed in again.
 std::string without_count(const std::string& file) {
-  static const std::regex counted("(.+)-[0-9]{1,3}(\\.[A-Za-z0-9.]+)");
-  return std::regex_replace(file, counted, "$1$2");
+  static const Pattern counted("(.+)-[0-9]{1,3}(\\.[A-Za-z0-9.]+)");
+  return counted.replaced(file, "$1$2");
 }
 
 /// The count goes where that leaves all names of the hand-in different.

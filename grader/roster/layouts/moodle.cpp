@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <optional>
-#include <regex>
 
+#include "grader/base/pattern.h"
 #include "grader/roster/layouts/layouts.h"
 #include "grader/roster/listing.h"
 
@@ -26,13 +26,13 @@ std::optional<MoodleName> parse(const std::string& name) {
   const std::string mark = "_assignsubmission_";
   const std::size_t at = name.rfind(mark);
   if (at == std::string::npos) return std::nullopt;
-  static const std::regex person("(.*)_([0-9]+)");
-  static const std::regex kind("(file|onlinetext)(_(.*))?");
+  static const Pattern person("(.*)_([0-9]+)");
+  static const Pattern kind("(file|onlinetext)(_(.*))?");
   const std::string before = name.substr(0, at);
   const std::string after = name.substr(at + mark.size());
-  std::smatch who;
-  std::smatch what;
-  if (!std::regex_match(before, who, person) || !std::regex_match(after, what, kind)) {
+  Pattern::Groups who;
+  Pattern::Groups what;
+  if (!person.matches(before, who) || !kind.matches(after, what)) {
     return std::nullopt;
   }
   MoodleName parsed{who[1], who[2], what[3]};
