@@ -254,7 +254,7 @@ unsigned jobs_of(const BatchCommandOptions& options) {
 int run(const BatchCommandOptions& options, const Assignment& assignment, const Roster& roster,
         const BatchFolder& folder) {
   Home home = find_home();
-  home.compilers = std::max(1U, cores() / jobs_of(options));
+  home.cores = std::max(1U, cores() / jobs_of(options));
   if (options.require_sandbox) require_sandbox(home.sandbox);
   const Grading grading = grading_of(assignment, options, home);
   BatchOptions how;

@@ -1,6 +1,7 @@
 #include "grader/app/grading.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "grader/app/compile_blame.h"
 #include "grader/app/dialect_fit.h"
@@ -8,6 +9,7 @@
 #include "grader/app/right_callees.h"
 #include "grader/app/second_run.h"
 #include "grader/base/errors.h"
+#include "grader/base/parallel.h"
 #include "grader/base/text.h"
 #include "grader/judge/judge.h"
 #include "grader/run/run.h"
@@ -80,11 +82,15 @@ Report grade(const Assignment& given, const Submission& submission, const Home& 
   progress("compiling " + plural(submission.sources.size(), "file"));
   const Build build = build_submission(submission, home, assignment.limits);
   const Candidate candidate{submission, build};
-  std::vector<ExerciseRun> runs;
-  for (const ExerciseRubric* rubric : chosen) {
-    progress(rubric->name);
-    runs.push_back(run_exercise(assignment, home, candidate, *rubric));
-  }
+  std::vector<ExerciseRun> runs(chosen.size());
+  std::mutex telling;
+  in_parallel(cores_of(home), chosen.size(), [&](std::size_t i) {
+    {
+      const std::lock_guard lock(telling);
+      progress(chosen[i]->name);
+    }
+    runs[i] = run_exercise(assignment, home, candidate, *chosen[i]);
+  });
   for (ExerciseRun& run : runs)
     run_again(assignment, home, candidate, runs, run);
   std::vector<JudgedExercise> judged;

@@ -1,14 +1,14 @@
 #include "grader/build/build.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <exception>
 #include <thread>
 
 #include "grader/base/errors.h"
+#include "grader/base/parallel.h"
 #include "grader/build/added_members.h"
 #include "grader/build/joining.h"
+#include "grader/build/link_worker.h"
 #include "grader/build/member_splice.h"
 #include "grader/build/tool_words.h"
 #include "grader/build/workshop.h"
@@ -18,31 +18,6 @@ namespace meshgrade {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Calls `work(i)` for i = 0 .. count - 1, so many at a time. Throws what one has thrown.
-template <class Work>
-void in_parallel(std::size_t at_a_time, std::size_t count, Work work) {
-  std::atomic<std::size_t> next{0};
-  std::vector<std::exception_ptr> failures(count);
-  const auto take_turns = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        failures[i] = std::current_exception();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> helpers;
-    for (std::size_t i = 1; i < std::min(at_a_time, count); ++i)
-      helpers.emplace_back(take_turns);
-    take_turns();
-  }
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
-}
 
 const char* flags_file(BuildKind kind) {
   switch (kind) {
@@ -97,8 +72,6 @@ class Builder {
 
  private:
   static constexpr const char* kWorker = "worker";
-  static constexpr const char* kMerged = "merged.o";
-  static constexpr const char* kLocalised = "submission.o";
   static constexpr const char* kDriver = "driver.o";
   static constexpr const char* kProbe = "probe.cpp";
   static constexpr const char* kJoined = "~joined.cpp";
@@ -110,7 +83,7 @@ class Builder {
     begin_files();
     const std::vector<Unit> units = divide();
     const std::size_t drivers = splice_.empty() ? 0 : 1;
-    in_parallel(compilers(), units.size() + drivers, [&](std::size_t i) {
+    in_parallel(cores_of(home_), units.size() + drivers, [&](std::size_t i) {
       i < units.size() ? compile_unit(units[i]) : compile_driver();
     });
   }
@@ -140,16 +113,11 @@ class Builder {
         sources.push_back({file.name, rests_[sources.size()].text()});
     }
     const Unit joined = home_.joins_files ? joinable(sources, submission_.headers) : Unit();
-    std::vector<Unit> units = share_out(sources, joined, compilers());
+    std::vector<Unit> units = share_out(joined, cores_of(home_));
     for (std::size_t i = 0; i < build_.files.size(); ++i) {
       if (std::find(joined.begin(), joined.end(), i) == joined.end()) units.push_back({i});
     }
     return units;
-  }
-
-  std::size_t compilers() const {
-    return home_.compilers > 0 ? home_.compilers
-                               : std::max(1U, std::thread::hardware_concurrency());
   }
 
   void compile_unit(const Unit& unit) {
@@ -357,8 +325,7 @@ class Builder {
     file.ok = compile(i, home_.include / "dropin" / file.name.substr(1), objects_[i]).ok();
   }
 
-  /// Links the worker with these sources' objects. What the student's files define besides
-  /// functions of the course is theirs alone: malloc, write or main cannot be replaced.
+  /// Links the worker with these sources' objects.
   ProcessResult link(const std::vector<std::size_t>& sources) const {
     const Workshop workshop(home_, limits_, build_.folder.path());
     std::vector<std::string> objects;
@@ -366,27 +333,8 @@ class Builder {
       if (std::find(objects.begin(), objects.end(), objects_[i]) == objects.end())
         objects.push_back(objects_[i]);
     }
-    if (!objects.empty() && fs::exists(home_.kit / "merge.txt")) {
-      ProcessResult merged = merge(workshop, objects);
-      if (!merged.ok()) return merged;
-      objects = {kLocalised};
-    }
-    std::vector<std::string> arguments{home_.compiler, flags_, "-no-pie", "-o", kWorker};
-    arguments.insert(arguments.end(), objects.begin(), objects.end());
-    if (!splice_.empty()) arguments.emplace_back(kDriver);
-    arguments.push_back((home_.kit / "libmeshgrade_worker.a").string());
-    return workshop.run(std::move(arguments), kWorker);
-  }
-
-  ProcessResult merge(const Workshop& workshop, const std::vector<std::string>& objects) const {
-    std::vector<std::string> arguments{home_.compiler, "@" + (home_.kit / "merge.txt").string(),
-                                       "-o", kMerged};
-    arguments.insert(arguments.end(), objects.begin(), objects.end());
-    ProcessResult merged = workshop.run(std::move(arguments), kMerged);
-    if (!merged.ok()) return merged;
-    return workshop.run(
-        {"objcopy", "@" + (home_.kit / "localise.txt").string(), kMerged, kLocalised},
-        kLocalised);
+    return link_worker(workshop, home_, flags_,
+                       {objects, splice_.empty() ? "" : kDriver, kWorker});
   }
 
   /// Leaves out functions that call what is defined nowhere.
@@ -417,7 +365,8 @@ class Builder {
     for (std::size_t i = 0; i < rests_.size(); ++i) {
       if (objects_[i] != build_.files[i].name + ".o") joined.push_back(i);
     }
-    in_parallel(compilers(), joined.size(), [&](std::size_t i) { compile_source(joined[i]); });
+    in_parallel(cores_of(home_), joined.size(),
+                [&](std::size_t i) { compile_source(joined[i]); });
     return !joined.empty();
   }
 
@@ -469,6 +418,10 @@ class Builder {
 };
 
 }  // namespace
+
+std::size_t cores_of(const Home& home) {
+  return home.cores > 0 ? home.cores : std::max(1U, std::thread::hardware_concurrency());
+}
 
 const BuiltFile* Build::find(const std::string& name) const {
   for (const BuiltFile& file : files) {

@@ -22,8 +22,11 @@ struct Home {
   std::string compiler;                   ///< the C++ compiler for submissions
   Sandbox sandbox;                        ///< in which submissions are compiled and run
   std::shared_ptr<ScratchFolder> copies;  ///< of include and kit, where they must be copied
-  std::size_t compilers = 0;  ///< that may run at once for a submission; 0: one for each core
-  bool joins_files = true;    ///< compiles as one what is the same in one; see joining.h
+  std::size_t cores = 0;                  ///< to use for one submission; 0: all of them
+  bool joins_files = true;  ///< compiles as one what is the same in one; see joining.h
 };
+
+/// How many programs for one submission may run at once, at least 1.
+std::size_t cores_of(const Home& home);
 
 }  // namespace meshgrade

@@ -100,24 +100,12 @@ std::vector<std::size_t> joinable(const std::vector<SourceFile>& sources,
   return best.size() > 1 ? best : std::vector<std::size_t>();
 }
 
-std::vector<std::vector<std::size_t>> share_out(const std::vector<SourceFile>& sources,
-                                                const std::vector<std::size_t>& joined,
+std::vector<std::vector<std::size_t>> share_out(const std::vector<std::size_t>& joined,
                                                 std::size_t units) {
-  std::vector<std::size_t> largest_first = joined;
-  std::stable_sort(largest_first.begin(), largest_first.end(),
-                   [&](std::size_t a, std::size_t b) {
-                     return sources[a].text.size() > sources[b].text.size();
-                   });
-  std::vector<std::vector<std::size_t>> parts(std::min(units, joined.size()));
-  std::vector<std::size_t> sizes(parts.size());
-  for (std::size_t i : largest_first) {
-    const auto least =
-        static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
-    parts[least].push_back(i);
-    sizes[least] += sources[i].text.size();
-  }
-  for (std::vector<std::size_t>& part : parts)
-    std::sort(part.begin(), part.end());
+  const std::size_t count = std::min(units, joined.size());
+  std::vector<std::vector<std::size_t>> parts(count);
+  for (std::size_t i = 0; i < joined.size(); ++i)
+    parts[i * count / joined.size()].push_back(joined[i]);
   return parts;
 }
 

@@ -19,9 +19,8 @@ namespace meshgrade {
 std::vector<std::size_t> joinable(const std::vector<SourceFile>& sources,
                                   const std::vector<SourceFile>& headers);
 
-/// Shares `joined`, places in `sources`, out to at most `units` parts of much the same size.
-std::vector<std::vector<std::size_t>> share_out(const std::vector<SourceFile>& sources,
-                                                const std::vector<std::size_t>& joined,
+/// Shares `joined` out to at most `units` parts of as many files, in order.
+std::vector<std::vector<std::size_t>> share_out(const std::vector<std::size_t>& joined,
                                                 std::size_t units);
 
 /// A source that is all of these, one after the other.

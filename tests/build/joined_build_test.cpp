@@ -24,10 +24,10 @@ std::string described(const Build& build) {
   return text;
 }
 
-Build build_as(bool joined, std::size_t compilers, const std::vector<SourceFile>& sources) {
+Build build_as(bool joined, std::size_t cores, const std::vector<SourceFile>& sources) {
   Home home = test_home();
   home.joins_files = joined;
-  home.compilers = compilers;
+  home.cores = cores;
   return build_submission(submission_of(sources), home, Limits{});
 }
 
