@@ -59,6 +59,16 @@ std::vector<std::uint32_t> families_of(const std::vector<const Case*>& cases) {
   return families;
 }
 
+/// The processor time of a case, in milliseconds: the whole limit is for the largest meshes,
+/// and two fifths of it are hundreds of times what a good solution needs in the others.
+std::uint32_t cpu_limit(const Case& c, const Limits& limits) {
+  constexpr std::uint64_t kLeast = 500;
+  constexpr std::uint64_t kStepsPerMillisecond = 10'000;
+  const std::uint64_t share = std::max(kLeast, std::uint64_t{limits.case_cpu_ms} * 2 / 5);
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(
+      limits.case_cpu_ms, share + c.step_budget / kStepsPerMillisecond));
+}
+
 TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
                     Company company) {
   TaskList list;
@@ -69,7 +79,7 @@ TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
   const std::vector<std::uint32_t> families = families_of(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Case& c = *cases[i];
-    list.tasks.push_back({c.exercise, c.input, c.step_budget, limits.case_cpu_ms,
+    list.tasks.push_back({c.exercise, c.input, c.step_budget, cpu_limit(c, limits),
                           limits.case_wall_ms, families[i]});
   }
   return list;

@@ -185,11 +185,11 @@ void set_timer(std::uint32_t milliseconds) {
   ::setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
-void run_task(const Task& task) {
+void run_task(const Task& task, const Patience& patience) {
   Recorder recorder;
   running.recorder = &recorder;
   meshedit::detail::steps_left = static_cast<std::int64_t>(task.step_budget);
-  set_timer(task.cpu_ms);
+  set_timer(patience.limit(task, task.cpu_ms));
   EndFrame frame;
   try {
     run_exercise(task, recorder);
@@ -262,8 +262,7 @@ void write_end(EndFrame frame, SharedState& shared, std::uint64_t limit) {
   ++shared.tasks_done;
 }
 
-void run_tasks(const TaskList& list, const std::set<std::uint32_t>& given_up,
-               SharedState& shared) {
+void run_tasks(const TaskList& list, const Patience& patience, SharedState& shared) {
   running = {&list, &shared, nullptr};
   ::fcntl(kOutputFile, F_SETFL, O_APPEND);
   ::dup2(kOutputFile, STDOUT_FILENO);
@@ -277,10 +276,10 @@ void run_tasks(const TaskList& list, const std::set<std::uint32_t>& given_up,
   limit_files(list.output_bytes);
   do {
     const Task& task = list.tasks[shared.tasks_done];
-    if (given_up.count(task.family) != 0) {
+    if (patience.is_used_up(task.family)) {
       skip_task();
     } else {
-      run_task(task);
+      run_task(task, patience);
     }
   } while (!list.alone && shared.tasks_done < list.tasks.size());
   ::_exit(kTaskRecordedStatus);

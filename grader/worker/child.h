@@ -1,9 +1,9 @@
 #pragma once
 
-#include <set>
 #include <string>
 
 #include "grader/base/protocol.h"
+#include "grader/worker/patience.h"
 #include "grader/worker/result_file.h"
 
 namespace meshgrade {
@@ -17,9 +17,9 @@ constexpr int kSignalNotedStatus = 92;
 /// called before the first child is made: each of them would load it again.
 void prepare_backtraces();
 
-/// Runs the tasks from the first that is not done, but for those of the families that are given
-/// up. Never returns: ends the process.
-[[noreturn]] void run_tasks(const TaskList& list, const std::set<std::uint32_t>& given_up,
+/// Runs the tasks from the first that is not done, but for those of the families that have used
+/// up the patience. Never returns: ends the process.
+[[noreturn]] void run_tasks(const TaskList& list, const Patience& patience,
                             SharedState& shared);
 
 /// Writes down that the standard library refused a call in the task under way, and ends the

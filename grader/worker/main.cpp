@@ -21,12 +21,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <map>
 #include <new>
-#include <set>
 
 #include "grader/base/protocol.h"
 #include "grader/worker/child.h"
+#include "grader/worker/patience.h"
 #include "grader/worker/result_file.h"
 
 namespace meshgrade {
@@ -43,12 +42,15 @@ std::string read_whole_file(int file) {
 
 /// Waits until the child has died, or has spent too long on one task and was killed.
 /// @return true if it was killed
-bool watch(pid_t child, int life_line, const TaskList& list, const SharedState& shared) {
+bool watch(pid_t child, int life_line, const TaskList& list, const Patience& patience,
+           const SharedState& shared) {
   for (;;) {
     const std::uint32_t task = shared.tasks_done;
-    const std::uint32_t patience = task < list.tasks.size() ? list.tasks[task].wall_ms : 1000;
+    const std::uint32_t limit = task < list.tasks.size()
+                                    ? patience.limit(list.tasks[task], list.tasks[task].wall_ms)
+                                    : 1000;
     pollfd death{life_line, POLLIN, 0};
-    const int ready = ::poll(&death, 1, static_cast<int>(patience));
+    const int ready = ::poll(&death, 1, static_cast<int>(limit));
     if (ready > 0) return false;
     if (ready == 0 && shared.tasks_done == task) {
       ::kill(child, SIGKILL);
@@ -84,19 +86,6 @@ Ending record_death(const TaskList& list, SharedState& shared, int status, bool 
   write_end(std::move(frame), shared, list.result_bytes);
   return ending;
 }
-
-/// Which families of tasks have run out of time too often.
-class Patience {
- public:
-  void note_timeout(std::uint32_t family) {
-    if (++timeouts_[family] >= kMostTimeouts) given_up_.insert(family);
-  }
-  const std::set<std::uint32_t>& given_up() const { return given_up_; }
-
- private:
-  std::map<std::uint32_t, std::uint32_t> timeouts_;
-  std::set<std::uint32_t> given_up_;
-};
 
 /// In the child: when the grader is killed, the worker dies with it, and this with the worker.
 /// Nobody would be left to watch over the time.
@@ -137,10 +126,10 @@ bool run_some(const TaskList& list, Patience& patience, SharedState& shared) {
   if (child == 0) {
     die_with(worker);
     ::close(life_line[0]);
-    run_tasks(list, patience.given_up(), shared);
+    run_tasks(list, patience, shared);
   }
   ::close(life_line[1]);
-  const bool overdue = watch(child, life_line[0], list, shared);
+  const bool overdue = watch(child, life_line[0], list, patience, shared);
   int status = 0;
   ::waitpid(child, &status, 0);
   ::close(life_line[0]);
