@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::milliseconds kPause{200};
+constexpr std::chrono::milliseconds kPause{50};
 
 /// Editors put backups and their own notes next to the files.
 bool is_source(const fs::path& file) {

@@ -10,7 +10,7 @@
 namespace meshgrade {
 
 /// Notices when source files of a folder change: are saved, come, go, or are replaced. Asks for
-/// their times and sizes five times a second, which works on every system and file system.
+/// their times and sizes twenty times a second, which works on every system and file system.
 class FileWatch {
  public:
   /// A folder, or a single file.

@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <ctime>
+#include <future>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -17,6 +19,7 @@
 #include "grader/app/grading_options.h"
 #include "grader/app/progress_store.h"
 #include "grader/app/replay_command.h"
+#include "grader/base/cancel.h"
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
 #include "grader/report/terminal_report.h"
@@ -30,7 +33,7 @@ bool is_interrupted() {
   return interrupted != 0;
 }
 
-/// Ctrl-C ends the program after the check that is running; the second one ends it at once.
+/// Ctrl-C ends the check that is running, and the program; the second one ends it at once.
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = [](int) { interrupted = 1; };
@@ -108,13 +111,26 @@ class Watch {
     FileWatch files(is_folder ? found.folder : std::filesystem::path(options_.submission));
     std::cout << "watching " << options_.submission << "; Ctrl-C ends it\n" << std::flush;
     do {
-      check();
-    } while (files.wait_for_change(is_interrupted));
+      check_unless_changed(files);
+    } while (!is_interrupted() && (is_stale_ || files.wait_for_change(is_interrupted)));
     std::cout << "\n";
     return 0;
   }
 
  private:
+  /// A check that takes long is of no use any more once a file is saved again.
+  void check_unless_changed(FileWatch& files) {
+    std::atomic<bool> done{false};
+    std::future<void> checking = std::async(std::launch::async, [&] {
+      check();
+      done = true;
+    });
+    is_stale_ = files.wait_for_change([&] { return done || is_interrupted(); });
+    std::optional<Cancellation> cancellation;
+    if (!done) cancellation.emplace();
+    checking.get();
+  }
+
   /// Whatever is wrong with the files now may be right after the next change.
   void check() {
     try {
@@ -126,6 +142,8 @@ class Watch {
       remember_or_warn(options_.submission, report);
       print(report);
       last_ = std::move(report);
+    } catch (const Cancelled&) {
+      terminal_progress()("");
     } catch (const UserError& error) {
       std::cout << "\n" << clock_time() << "  " << error.what() << "\n" << std::flush;
     }
@@ -144,6 +162,7 @@ class Watch {
   Assignment assignment_;
   TerminalStyle style_;
   std::optional<Report> last_;
+  bool is_stale_ = false;  ///< whether a file has changed during the last check
 };
 
 }  // namespace
