@@ -53,6 +53,13 @@ void show_progress(const std::string& what, std::size_t done, std::size_t count)
   if (done == count) std::cerr << "\r\033[K" << std::flush;
 }
 
+/// For several submissions at a time, each on one core.
+Home home_for_many() {
+  Home home = find_home();
+  home.cores = 1;
+  return home;
+}
+
 GradeFunction quiet_grading(const Assignment& assignment, const Home& home) {
   return [&](const Submission& submission, const std::vector<std::string>& exercises) {
     return grade(assignment, submission, home, exercises, [](const std::string&) {});
@@ -61,7 +68,7 @@ GradeFunction quiet_grading(const Assignment& assignment, const Home& home) {
 
 std::vector<KnownMistake> grade_mistakes(unsigned jobs) {
   const Assignment assignment = strict_assignment();
-  const Home home = find_home();
+  const Home home = home_for_many();
   const std::filesystem::path source = source_folder();
   const Submission reference = find_submission(source / "reference", assignment.submission);
   return grade_known_mistakes(assignment, source / "tests" / "submissions" / "wrong", reference,
@@ -92,15 +99,11 @@ Adequacy measure_standard_adequacy(const AdequacyOptions& options,
   if (!options.exercise.empty() && assignment.find(options.exercise) == nullptr) {
     throw UserError("\"" + options.exercise + "\" is no exercise of the assignment");
   }
-  const Home home = find_home();
-  const GradeFunction grade_quietly = [&](const Submission& submission,
-                                          const std::vector<std::string>& exercises) {
-    return grade(assignment, submission, home, exercises, [](const std::string&) {});
-  };
+  const Home home = home_for_many();
   const SurvivorList reviewed =
       read_survivor_list(source_folder() / "tests" / "mutants" / "survivors.toml");
   return measure_adequacy(assignment, find_originals(assignment, options.styles), reviewed,
-                          options, grade_quietly, progress);
+                          options, quiet_grading(assignment, home), progress);
 }
 
 int check_adequacy(const AdequacyOptions& options, const std::string& page) {

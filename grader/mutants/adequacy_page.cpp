@@ -197,6 +197,42 @@ std::string localisation(const Adequacy& adequacy) {
          kLocalisation + misses(adequacy);
 }
 
+/// "0 / 10 / 45 %": the least, the median and the most of these shares.
+std::string spread_text(std::vector<double> shares) {
+  std::sort(shares.begin(), shares.end());
+  const auto percent = [&](std::size_t i) { return number_text(100.0 * shares[i], 3); };
+  return percent(0) + " / " + percent(shares.size() / 2) + " / " + percent(shares.size() - 1) +
+         " %";
+}
+
+std::string points_table(const Adequacy& adequacy) {
+  std::string table =
+      "\n## What one wrong pointer costs\n\nOf the mutants of the textbook's flip and split "
+      "that "
+      "set exactly one pointer wrong and are\nfound: the share of the exercise's points that "
+      "is "
+      "left, as the least, the median and the most.\n\n"
+      "| exercise | mutants | if groups gave all or nothing | as they give parts by pointers "
+      "|\n"
+      "|---|---:|---:|---:|\n";
+  for (const std::string& exercise : adequacy.exercises) {
+    std::vector<double> whole;
+    std::vector<double> parts;
+    for (const MutantResult& result : adequacy.mutants) {
+      if (result.mutant.exercise != exercise || result.fate != Fate::kKilled ||
+          result.wrong_pointers.size() != 1) {
+        continue;
+      }
+      whole.push_back(result.points_without_parts);
+      parts.push_back(result.points);
+    }
+    if (whole.empty()) continue;
+    table +=
+        row({exercise, std::to_string(whole.size()), spread_text(whole), spread_text(parts)});
+  }
+  return table;
+}
+
 std::string list_text(const std::vector<std::string>& items) {
   std::string text;
   for (const std::string& item : items)
@@ -226,7 +262,7 @@ std::string right_answers(const Adequacy& adequacy) {
 
 std::string to_markdown(const Adequacy& adequacy) {
   return kHead + exercise_table(adequacy) + operator_table(adequacy) + localisation(adequacy) +
-         right_answers(adequacy) + survivors(adequacy);
+         points_table(adequacy) + right_answers(adequacy) + survivors(adequacy);
 }
 
 std::string to_summary(const Adequacy& adequacy) {

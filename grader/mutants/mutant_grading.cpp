@@ -17,10 +17,12 @@ struct Graded {
   std::string first_exercise;
   std::string element;
   bool names_function = false;
+  double points = 0.0;
+  double points_without_parts = 0.0;
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(fate, verdict, first_exercise, element, names_function);
+    wire(fate, verdict, first_exercise, element, names_function, points, points_without_parts);
   }
 };
 
@@ -92,6 +94,27 @@ Graded summarise(const Report& report, const Mutant& mutant, bool has_many_funct
   return graded;
 }
 
+/// The share of an exercise's points that the report gives, and that it would give if no group
+/// gave a part of its points.
+void add_points(const Report& report, const ExerciseRubric& rubric, Graded& graded) {
+  const auto found =
+      std::find_if(report.exercises.begin(), report.exercises.end(),
+                   [&](const ExerciseReport& e) { return e.name == rubric.name; });
+  if (found == report.exercises.end() || found->max_points <= 0.0) return;
+  std::vector<std::string> earned;
+  double whole = 0.0;
+  for (const GroupReport& group : found->groups) {
+    const auto of_name = [&](const Group& g) { return g.name == group.name; };
+    const auto rule = std::find_if(rubric.groups.begin(), rubric.groups.end(), of_name);
+    const bool counts = rule->needs.empty() || contains(earned, rule->needs);
+    if (!counts || group.passed < group.judged || group.judged == 0) continue;
+    earned.push_back(group.name);
+    if (!group.extra_credit) whole += group.max_points;
+  }
+  graded.points = found->points / found->max_points;
+  graded.points_without_parts = whole / found->max_points;
+}
+
 const Original& original_of(const std::vector<Original>& originals, const Mutant& mutant) {
   for (const Original& original : originals) {
     if (original.name == mutant.original) return original;
@@ -138,15 +161,20 @@ std::vector<MutantResult> grade_mutants(const Assignment& assignment,
     const Original& original = original_of(originals, mutant);
     const ExerciseJudge judge = find_exercise_judge(*assignment.find(mutant.exercise));
     const auto look_at = [&](const MutantSubmission& made) {
-      return summarise(grade(made.submission, made.exercises), mutant,
-                       judge.functions.size() > 1);
+      const Report report = grade(made.submission, made.exercises);
+      Graded graded = summarise(report, mutant, judge.functions.size() > 1);
+      add_points(report, *assignment.find(mutant.exercise), graded);
+      return graded;
     };
     try {
       const Graded graded = look_at(own_exercise(assignment, original, mutant));
       if (graded.fate != Fate::kSurvived) return to_wire(graded);
       return to_wire(look_at(all_exercises(assignment, original, mutant)));
     } catch (const GraderError& error) {
-      return to_wire(Graded{Fate::kGraderFailed, error.what(), "", "", false});
+      Graded failed;
+      failed.fate = Fate::kGraderFailed;
+      failed.verdict = error.what();
+      return to_wire(failed);
     }
   };
   const auto results = run_jobs(mutants.size(), jobs, work, [&](std::size_t done) {
@@ -156,7 +184,8 @@ std::vector<MutantResult> grade_mutants(const Assignment& assignment,
   for (std::size_t i = 0; i < mutants.size(); ++i) {
     const auto graded = from_wire<Graded>(results[i]);
     list.push_back({mutants[i], graded.fate, graded.verdict, graded.first_exercise,
-                    graded.element, graded.names_function, wrong_pointers(mutants[i])});
+                    graded.element, graded.names_function, graded.points,
+                    graded.points_without_parts, wrong_pointers(mutants[i])});
   }
   return list;
 }

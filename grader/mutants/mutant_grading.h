@@ -29,6 +29,9 @@ struct MutantResult {
   std::string element;          ///< of the first finding of its first case that is not passed
   bool names_function = false;  ///< exercise and finding name the function with the mistake
 
+  double points = 0.0;                ///< of its exercise, 1 for all; extra credit aside
+  double points_without_parts = 0.0;  ///< the same if groups gave all of theirs or none
+
   /// Of mutants that only set a pointer wrong.
   std::set<PointerName> wrong_pointers;
   bool names_pointer() const { return wrong_pointers.count(named_pointer(element)) != 0; }

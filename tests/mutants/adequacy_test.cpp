@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "grader/app/adequacy_check.h"
+#include "grader/mutants/adequacy_page.h"
 
 namespace meshgrade {
 namespace {
@@ -49,6 +50,45 @@ TEST(Adequacy, TheSameSubmissionGivesTheSameBytesAloneAndBesideOthers) {
   const Adequacy adequacy = measure(options);
   EXPECT_GT(adequacy.determinism.submissions, 0U);
   EXPECT_EQ(adequacy.determinism.differing, std::vector<std::string>());
+}
+
+MutantResult with_points(double whole, double parts, std::size_t wrong_pointers) {
+  MutantResult result;
+  result.mutant.exercise = "edge_flip";
+  result.fate = Fate::kKilled;
+  result.points_without_parts = whole;
+  result.points = parts;
+  for (std::size_t i = 0; i < wrong_pointers; ++i)
+    result.wrong_pointers.insert("h" + std::to_string(i) + ".next");
+  return result;
+}
+
+TEST(AdequacyPage, TellsWhatOneWrongPointerCosts) {
+  Adequacy adequacy;
+  adequacy.exercises = {"edge_flip", "edge_split"};
+  adequacy.mutants = {with_points(0.0, 0.9, 1), with_points(0.5, 0.25, 1),
+                      with_points(0.15, 0.6, 1), with_points(1.0, 1.0, 2)};
+  const std::string page = to_markdown(adequacy);
+  EXPECT_NE(page.find("| edge_flip | 3 | 0 / 15 / 50 % | 25 / 60 / 90 % |\n"),
+            std::string::npos)
+      << page;
+  EXPECT_EQ(page.find("| edge_split | 3"), std::string::npos);
+}
+
+TEST(MutantPoints, OfOneWrongPointerAreAPart) {
+  AdequacyOptions options = nothing();
+  options.mutants = 12;
+  options.exercise = "edge_flip";
+  options.styles = {"textbook"};
+  std::size_t counted = 0;
+  for (const MutantResult& result : measure(options).mutants) {
+    if (result.fate != Fate::kKilled || result.wrong_pointers.size() != 1) continue;
+    EXPECT_GT(result.points, 0.0) << result.mutant.id();
+    EXPECT_LT(result.points, 1.0) << result.mutant.id();
+    EXPECT_LE(result.points_without_parts, result.points) << result.mutant.id();
+    ++counted;
+  }
+  EXPECT_GT(counted, 0U);
 }
 
 }  // namespace
