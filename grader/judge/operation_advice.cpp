@@ -60,6 +60,20 @@ bool is_about(const std::string& rule, const std::string& pointer) {
   return of_any.count(rule) != 0 || (found != rules.end() && found->second.count(rule) != 0);
 }
 
+std::string exchange_advice(const std::vector<WrongPointer>& wrong) {
+  if (wrong.size() != 2) return {};
+  const auto element = [](const std::string& text) { return text.substr(0, text.find(' ')); };
+  const std::string half_edge = wrong[0].name.substr(0, wrong[0].name.find('.'));
+  const std::set<std::string> names{wrong[0].name, wrong[1].name};
+  const bool exchanged = names == std::set{half_edge + ".next", half_edge + ".twin"} &&
+                         element(wrong[0].expected) == element(wrong[1].actual) &&
+                         element(wrong[1].expected) == element(wrong[0].actual);
+  if (!exchanged) return {};
+  return half_edge + ".next and " + half_edge +
+         ".twin are exchanged: setNeighbors takes next, twin, vertex, edge, face, in this "
+         "order";
+}
+
 const Misconceptions& split_misconceptions() {
   static const Misconceptions known{
       {"midpoint-at-an-end",

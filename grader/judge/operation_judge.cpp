@@ -355,6 +355,8 @@ class StepJudge {
                   judgement_.findings.end());
     } else if (!counts_differ && !diff.wrong.empty()) {
       lead_with_pointer(diff.wrong);
+      const std::string exchanged = exchange_advice(diff.wrong);
+      if (!exchanged.empty()) judgement_.findings[0].look_at = exchanged;
     }
     judgement_.findings[0].pointers = diff;
   }
