@@ -144,6 +144,16 @@ TEST_F(OutputCheck, SimilarityWritesOverNobodysWork) {
   EXPECT_EQ(read_whole_file(source), "text");
 }
 
+TEST_F(OutputCheck, SimilarityNeedsNoOutput) {
+  const std::string code = read_whole_file(MESHGRADE_SOURCE_DIR "/reference/edge_flip.cpp");
+  for (const char* who : {"ann", "bob", "cem"})
+    file(std::string("class/") + who + "/edge_flip.cpp", *who == 'c' ? "int x;" : code);
+  const Said said = call({"similarity", (scratch_.path() / "class").string()});
+  EXPECT_EQ(said.status, 0);
+  EXPECT_THAT(said.output, HasSubstr("group of 2: ann, bob\n100 % of ann is in bob, 100 %"));
+  EXPECT_THAT(said.output, HasSubstr("1 pair with something in common"));
+}
+
 TEST_F(OutputCheck, BundleKeepsTheAssignment) {
   const fs::path toml =
       file("a.zip", read_whole_file(MESHGRADE_SOURCE_DIR "/grader/assignment.toml"));

@@ -86,33 +86,33 @@ missing_package_is_installed_by_root() {
   [ "$out" = '<check>' ] || fail "the program did not run"
 }
 
-# This Debian knows all packages but similarity-tester.
-without_similarity_tester() {
-  MISSING='libgtest-dev similarity-tester'
+# This Debian knows all packages but slurm-wlm.
+without_slurm() {
+  MISSING='libgtest-dev slurm-wlm'
   stand_in apt-cache <<<'echo "500 http://mirror.example/debian"'
-  stand_in apt-get <<<'case $* in *install*similarity-tester*) exit 100 ;; esac'
+  stand_in apt-get <<<'case $* in *install*slurm-wlm*) exit 100 ;; esac'
   stand_in ctest </dev/null
 }
 
 package_that_the_system_lacks_keeps_no_other_back() {
-  without_similarity_tester
+  without_slurm
   stand_in id <<<'echo 0'
   call "$project/meshgrade" self-test -R EdgeFlip
   [ "$code" = 0 ] || fail "exit code $code"
-  err_has 'there is no package similarity-tester on this system'
+  err_has 'there is no package slurm-wlm on this system'
   was_called 'install -y --no-install-recommends libgtest-dev
 ' || fail "the other package was not installed"
 }
 
 package_that_the_system_lacks_is_not_asked_for() {
-  without_similarity_tester
+  without_slurm
   call "$project/meshgrade" self-test -R EdgeFlip
   [ "$code" = 2 ] || fail "exit code $code, not 2"
   case $(cat "$scratch/err") in
     *'sudo apt-get install --no-install-recommends libgtest-dev') ;;
     *) fail "not just this package was asked for" ;;
   esac
-  MISSING=similarity-tester
+  MISSING=slurm-wlm
   call "$project/meshgrade" self-test -R EdgeFlip
   [ "$code" = 0 ] || fail "exit code $code, though nothing can be installed"
 }
