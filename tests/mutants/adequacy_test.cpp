@@ -77,7 +77,7 @@ TEST(AdequacyPage, TellsWhatOneWrongPointerCosts) {
 
 TEST(MutantPoints, OfOneWrongPointerAreAPart) {
   AdequacyOptions options = nothing();
-  options.mutants = 12;
+  options.mutants = 5;
   options.exercise = "edge_flip";
   options.styles = {"textbook"};
   std::size_t counted = 0;
