@@ -23,14 +23,17 @@ std::vector<fs::path> folders_in(const fs::path& parent) {
   return folders;
 }
 
-/// "// Wrong: the area counts twice." without its beginning; empty if no file begins so.
+/// "// Wrong: the area counts twice." without its beginning; the folder's name if no file
+/// begins so.
 std::string mistake_of(const Submission& submission) {
   const std::string mark = "// Wrong: ";
   for (const SourceFile& source : submission.sources) {
     if (source.text.rfind(mark, 0) != 0) continue;
     return source.text.substr(mark.size(), source.text.find('\n') - mark.size());
   }
-  return {};
+  std::string name = submission.folder.filename().string();
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 /// The submission's files, and the reference's for what it lacks.
