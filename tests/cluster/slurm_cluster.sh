@@ -9,7 +9,8 @@
 set -euo pipefail
 
 configure() {
-  local port=$((20000 + $$ % 20000))
+  # Three ports each: tests that begin at the same moment have numbers of processes side by side.
+  local port=$((20000 + $$ % 6000 * 3))
   mkdir -p "$folder"/{state,spool-n1,spool-n2,log,run}
   chmod 755 "$folder" "$folder/run"
   head -c 1024 /dev/urandom >"$folder/munge.key"
