@@ -263,21 +263,35 @@ void run_with(const Assignment& assignment, const Home& home, const Candidate& c
   if (taken > 0) run.judged.stand_ins = std::move(names);
 }
 
-/// Whether anything but the other exercises' functions asks what lies on a boundary: without
-/// that, a subdivision cannot treat boundaries in a way of their own, whatever splits its
-/// edges.
+/// Whether a text could ask what lies on a boundary: by isBoundary(), by the list of
+/// boundaries, or since a boundary loop is no triangle; in a macro as well.
+bool may_ask_for_boundaries(const std::string& text) {
+  std::string code = code_only(text);
+  for (const std::string& line : split_lines(text)) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first != std::string::npos && line[first] == '#') code += line + "\n";
+  }
+  return code.find("oundar") != std::string::npos ||
+         code.find("face()->degree") != std::string::npos;
+}
+
+/// Whether anything but the other exercises' functions does so: without that, a subdivision
+/// cannot treat boundaries in a way of their own, whatever splits its edges.
 bool asks_for_boundaries(const Assignment& assignment, const Submission& submission,
                          const ExerciseRubric& own) {
-  return std::any_of(
-      submission.sources.begin(), submission.sources.end(), [&](const SourceFile& source) {
-        LeavingOut rest(source.name, source.text);
-        for (const ExerciseRubric& rubric : assignment.exercises) {
-          if (rubric.name == own.name) continue;
-          for (const std::string& function : find_exercise_judge(rubric).functions)
-            rest.remove_function(function);
-        }
-        return code_only(rest.text()).find("oundary") != std::string::npos;
-      });
+  const auto asks = [&](const SourceFile& file) {
+    LeavingOut rest(file.name, file.text);
+    for (const ExerciseRubric& rubric : assignment.exercises) {
+      if (rubric.name == own.name) continue;
+      for (const std::string& function : find_exercise_judge(rubric).functions)
+        rest.remove_function(function);
+    }
+    return may_ask_for_boundaries(rest.text());
+  };
+  const auto any = [&](const std::vector<SourceFile>& files) {
+    return std::any_of(files.begin(), files.end(), asks);
+  };
+  return any(submission.sources) || any(submission.headers);
 }
 
 }  // namespace

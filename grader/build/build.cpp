@@ -108,10 +108,8 @@ class Builder {
   /// What is compiled at a time: a unit for each core of what can be joined, the rest alone.
   std::vector<Unit> divide() const {
     std::vector<SourceFile> sources;
-    for (const BuiltFile& file : build_.files) {
-      if (sources.size() < rests_.size())
-        sources.push_back({file.name, rests_[sources.size()].text()});
-    }
+    for (std::size_t i = 0; i < rests_.size(); ++i)
+      sources.push_back({build_.files[i].name, rests_[i].text()});
     const Unit joined = home_.joins_files ? joinable(sources, submission_.headers) : Unit();
     std::vector<Unit> units = share_out(joined, cores_of(home_));
     for (std::size_t i = 0; i < build_.files.size(); ++i) {

@@ -160,6 +160,7 @@ class Reader {
         understood_ = false;
       } else if (here == "(" || here == "[") {
         if (here == "(" && !is_function && !has_value) require_plain_name(begin);
+        if (here == "[" && !has_value) require_array(begin);
         is_function = is_function || here == "(";
         pass_brackets();
       } else if (here == "{") {
@@ -183,6 +184,12 @@ class Reader {
     const bool ends_type = is_among(before, {">", "*", "&", "::", "~"}) ||
                            (is_name(before) && !is_among(before, specifiers()));
     if (!ends_type || is_among(word(at_ - 1), keywords())) understood_ = false;
+  }
+
+  /// Other brackets than those of an array give names, `auto [a, b]`, or are attributes.
+  void require_array(std::size_t begin) {
+    const bool follows = at_ > begin && (word(at_ - 1) == "]" || is_name(word(at_ - 1)));
+    if (!follows || is_among(word(at_ - 1), keywords())) understood_ = false;
   }
 
   void read_word(std::size_t begin) {

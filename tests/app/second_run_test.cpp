@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "grader/app/grading.h"
 #include "tests/app/spoiled_reference.h"
 #include "tests/support/standard_assignment.h"
@@ -27,10 +29,12 @@ std::vector<SourceFile> files(SourceFile flip, SourceFile split, SourceFile loop
 
 class SecondRun : public testing::Test {
  protected:
-  ExerciseReport loop_of(std::vector<SourceFile> sources) {
+  ExerciseReport loop_of(std::vector<SourceFile> sources,
+                         std::vector<SourceFile> headers = {}) {
     Submission submission;
     submission.name = "test";
     submission.sources = std::move(sources);
+    submission.headers = std::move(headers);
     const Report report = grade(read_assignment(standard_assignment()), submission, home_,
                                 {"loop_subdivision"}, [](const auto&) {});
     return report.exercises.at(0);
@@ -241,19 +245,34 @@ TEST_F(SecondRun, TakesBothFunctionsOutOfOneFile) {
   EXPECT_THAT(report.stand_ins, ElementsAre("edge_flip", "edge_split"));
 }
 
+/// A split that leaves boundary edges as they are.
+SourceFile refusing(SourceFile split) {
+  const std::string start = "const HalfedgeIter h = e0->halfedge();";
+  split.text.insert(split.text.find(start), "if (e0->isBoundary()) return VertexIter();\n  ");
+  return split;
+}
+
 TEST_F(SecondRun, GivesTheExtraCreditToWhoRefusesBoundarySplits) {
-  const ExerciseReport report = loop_of(files(
-      flip_,
-      [&] {
-        SourceFile refusing = split_;
-        const std::string start = "const HalfedgeIter h = e0->halfedge();";
-        refusing.text.insert(refusing.text.find(start),
-                             "if (e0->isBoundary()) return VertexIter();\n  ");
-        return refusing;
-      }(),
-      loop_));
+  const ExerciseReport report = loop_of(files(flip_, refusing(split_), loop_));
   EXPECT_EQ(report.points, report.max_points);
   EXPECT_EQ(report.extra_points, report.max_extra_points);
+}
+
+TEST_F(SecondRun, GivesTheExtraCreditToWhoAsksForBoundariesInAHeaderOrAMacro) {
+  SourceFile loop = loop_;
+  loop.text = "#include \"rim.h\"\n" +
+              std::regex_replace(loop.text,
+                                 std::regex("((?:\\w+->)*\\w+(?:\\(\\))?)->isBoundary\\(\\)"),
+                                 "ON_RIM($1)");
+  loop.text = std::regex_replace(loop.text, std::regex("boundary"), "rim");
+  ASSERT_EQ(loop.text.find("oundar"), std::string::npos);
+  const std::string macro = "#define ON_RIM(x) (x)->isBoundary()\n";
+  const SourceFile split = refusing(split_);
+  const ExerciseReport by_header = loop_of(files(flip_, split, loop), {{"rim.h", macro}});
+  EXPECT_EQ(by_header.extra_points, by_header.max_extra_points);
+  loop.text = macro + loop.text.substr(loop.text.find('\n') + 1);
+  const ExerciseReport by_macro = loop_of(files(flip_, split, loop));
+  EXPECT_EQ(by_macro.extra_points, by_macro.max_extra_points);
 }
 
 TEST_F(SecondRun, SaysWhenTheFunctionCannotBeTakenOut) {
