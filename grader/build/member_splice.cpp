@@ -16,15 +16,32 @@ namespace {
 
 using Words = std::set<std::string>;
 
-/// The classes that can be added to, and the file of each that halfedge_mesh.h includes.
+/// The classes that can be added to, and the file of each that the shared headers include. The
+/// grader has two curves and two patches, of which a homework sees one.
 const std::map<std::string, std::string>& open_classes() {
   static const std::map<std::string, std::string> files{
-      {"Halfedge", "meshedit_added_halfedge.h"},
-      {"Vertex", "meshedit_added_vertex.h"},
-      {"Edge", "meshedit_added_edge.h"},
-      {"Face", "meshedit_added_face.h"},
-      {"HalfedgeMesh", "meshedit_added_mesh.h"}};
+      {"Halfedge", "meshedit_added_halfedge.h"}, {"Vertex", "meshedit_added_vertex.h"},
+      {"Edge", "meshedit_added_edge.h"},         {"EdgeRecord", "meshedit_added_edge_record.h"},
+      {"Face", "meshedit_added_face.h"},         {"HalfedgeMesh", "meshedit_added_mesh.h"},
+      {"BezierCurve", "meshedit_added_curve.h"}, {"BezierPatch", "meshedit_added_patch.h"}};
   return files;
+}
+
+/// The names of the classes in the headers of 2017 to 2019.
+const std::map<std::string, std::string>& open_classes_of_2017() {
+  static const std::map<std::string, std::string> files = [] {
+    std::map<std::string, std::string> changed = open_classes();
+    changed["BezierCurve"] = "meshedit_added_curve_2017.h";
+    changed["BezierPatch"] = "meshedit_added_patch_2017.h";
+    return changed;
+  }();
+  return files;
+}
+
+/// In 2016 the Bezier part is another one, and left out.
+bool is_open(const std::string& class_name, Dialect dialect) {
+  return open_classes().count(class_name) != 0 &&
+         (dialect != Dialect::kCourse2016 || class_name.rfind("Bezier", 0) != 0);
 }
 
 /// What the course's classes hold that the grader's have as well: data by name, functions by
@@ -40,8 +57,11 @@ const std::map<std::string, Words>& course_members() {
       {"Edge",
        {"halfedge/0", "isBoundary/0", "length/0", "newPosition", "isNew", "record",
         "_halfedge"}},
+      {"EdgeRecord", {"edge", "optimalPoint", "score"}},
       {"Face",
        {"halfedge/0", "degree/0", "isBoundary/0", "normal/0", "_halfedge", "_isBoundary"}},
+      {"BezierCurve", {"evaluateStep/1", "controlPoints", "t", "numControlPoints"}},
+      {"BezierPatch", {"evaluateStep/2", "evaluate1D/2", "evaluate/2", "controlPoints"}},
       {"HalfedgeMesh",
        {"build/2",         "nHalfedges/0",     "nVertices/0",       "nEdges/0",
         "nFaces/0",        "nBoundaries/0",    "halfedgesBegin/0",  "halfedgesEnd/0",
@@ -55,13 +75,26 @@ const std::map<std::string, Words>& course_members() {
   return members;
 }
 
+const std::map<std::string, Words>& course_members_of_2017() {
+  static const std::map<std::string, Words> members = [] {
+    std::map<std::string, Words> changed = course_members();
+    changed["BezierCurve"] = {"evaluateStep/0", "controlPoints", "evaluatedLevels", "t",
+                              "numControlPoints"};
+    changed["BezierPatch"] = {"evaluate1D/2", "evaluate/2", "controlPoints"};
+    return changed;
+  }();
+  return members;
+}
+
 /// The course has these, and the grader only where they are used: they are large.
 bool is_rare_member_of_course(const ClassMember& member) {
   return member.names[0] == "quadric" && member.text.find("Matrix4x4") != std::string::npos;
 }
 
-bool is_of_course(const ClassMember& member) {
-  const Words& known = course_members().at(member.class_name);
+bool is_of_course(const ClassMember& member, Dialect dialect) {
+  const bool old = dialect == Dialect::kCourse2017;
+  const Words& known =
+      (old ? course_members_of_2017() : course_members()).at(member.class_name);
   return std::all_of(member.names.begin(), member.names.end(), [&](const std::string& name) {
     const bool is_call = member.kind == MemberKind::kFunction;
     return known.count(is_call ? name + "/" + std::to_string(member.parameters) : name) != 0;
@@ -109,6 +142,34 @@ std::size_t letters_apart(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
+std::string without_namespace(const std::string& name) {
+  return name.rfind("CGL::", 0) == 0 ? name.substr(5) : name;
+}
+
+/// The member of the course that a name is nearly the same as; empty if it is like none.
+std::string meant_by(const MemberUse& use) {
+  const auto members = course_members().find(use.class_name);
+  if (members == course_members().end()) return {};
+  const std::size_t most = use.name.size() < 3 ? 0 : use.name.size() < 8 ? 1 : 2;
+  for (const std::string& known : members->second) {
+    const std::string name = known.substr(0, known.find('/'));
+    if (letters_apart(use.name, name) <= most) return name;
+  }
+  return {};
+}
+
+/// Whether a file defines both this function and the one of the course that it might be taken
+/// for: `evaluate2D` beside `evaluate1D` is no slip of the pen.
+bool is_beside_the_meant_one(const MemberUse& use, const Submission& submission) {
+  Words defined;
+  for (const SourceFile& source : submission.sources) {
+    for (const FunctionExtent& function : find_functions(source.text))
+      defined.insert(without_namespace(function.name));
+  }
+  return defined.count(use.class_name + "::" + use.name) != 0 &&
+         defined.count(use.class_name + "::" + meant_by(use)) != 0;
+}
+
 /// The type of a member by how it is used in this code; empty if that does not tell.
 std::string type_from_use(const std::string& code, const std::string& name) {
   // A pattern goes one call deeper with each repetition: none may repeat as often as a
@@ -138,10 +199,6 @@ std::string type_from_use(const std::string& code, const std::string& name) {
   return {};
 }
 
-std::string without_namespace(const std::string& name) {
-  return name.rfind("CGL::", 0) == 0 ? name.substr(5) : name;
-}
-
 int line_of(const std::string& text, std::size_t offset) {
   return 1 + static_cast<int>(std::count(
                  text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
@@ -164,7 +221,7 @@ std::string joined_name(const ClassMember& member) {
 
 }  // namespace
 
-MemberSplice::MemberSplice(const Submission& submission) {
+MemberSplice::MemberSplice(const Submission& submission) : dialect_(submission.dialect) {
   if (submission.dialect == Dialect::kMeshedit) return;
   for (const SourceFile& header : submission.course_headers)
     add_header(header);
@@ -177,8 +234,9 @@ MemberSplice::MemberSplice(const Submission& submission) {
 
 void MemberSplice::add_header(const SourceFile& header) {
   for (const auto& [class_name, file] : open_classes()) {
+    if (!is_open(class_name, dialect_)) continue;
     for (const ClassMember& member : find_members(header.text, class_name)) {
-      if (is_of_course(member)) continue;
+      if (is_of_course(member, dialect_)) continue;
       for (const std::string& name : member.names)
         declared_.emplace_back(class_name, name);
       pieces_.push_back({header.name, member, false});
@@ -236,10 +294,10 @@ bool MemberSplice::add_from_use(const std::vector<MemberUse>& uses,
   const std::string code = code_only(own_text(submission));
   bool added = false;
   for (const MemberUse& use : uses) {
-    if (open_classes().count(use.class_name) == 0 || is_declared(use)) continue;
+    if (!is_open(use.class_name, dialect_) || is_declared(use)) continue;
     const bool is_quadric =
         use.name == "quadric" && (use.class_name == "Vertex" || use.class_name == "Face");
-    if (!is_quadric && is_slip(use)) continue;
+    if (!is_quadric && is_slip(use) && !is_beside_the_meant_one(use, submission)) continue;
     const std::string type = is_quadric ? "Matrix4x4" : type_from_use(code, use.name);
     if (type.empty()) {
       added = add_defined(use, submission) || added;
@@ -314,13 +372,7 @@ bool MemberSplice::is_declared(const MemberUse& member) const {
 }
 
 bool MemberSplice::is_slip(const MemberUse& use) {
-  const auto members = course_members().find(use.class_name);
-  if (members == course_members().end()) return false;
-  const Words& known = members->second;
-  return std::any_of(known.begin(), known.end(), [&](const std::string& name) {
-    const std::size_t most = use.name.size() < 8 ? 1 : 2;
-    return letters_apart(use.name, name.substr(0, name.find('/'))) <= most;
-  });
+  return !meant_by(use).empty();
 }
 
 std::vector<SourceFile> MemberSplice::files() const {
@@ -350,7 +402,8 @@ std::vector<SourceFile> MemberSplice::files() const {
       "namespace meshedit {\nnamespace added {\nusing namespace std;\n";
   std::string bases;
   std::vector<SourceFile> files;
-  for (const auto& [class_name, file] : open_classes()) {
+  const bool old = dialect_ == Dialect::kCourse2017;
+  for (const auto& [class_name, file] : old ? open_classes_of_2017() : open_classes()) {
     head += "struct DataOf" + class_name + " {\n" + data[class_name] + "};\n";
     bases +=
         "template <> struct Added<" + class_name + "> : added::DataOf" + class_name + " {};\n";

@@ -16,10 +16,10 @@ struct AddedPiece {
   bool later = false;  ///< a function defined behind the classes, and not in one
 };
 
-/// The members that a homework for Berkeley's skeleton adds to the course's mesh classes, on
-/// their way into the grader's own. An element's data become a base of its class, its functions
-/// stand in the class: halfedge_mesh.h includes the files that this makes. All that sees the
-/// elements of one build must be compiled with the same data.
+/// The members that a homework for Berkeley's skeleton adds to the course's mesh and Bezier
+/// classes, on their way into the grader's own. The data become a base of the class, the
+/// functions stand in the class: the shared headers include the files that this makes. All that
+/// sees these classes in one build must be compiled with the same data.
 class MemberSplice {
  public:
   MemberSplice() = default;
@@ -59,6 +59,7 @@ class MemberSplice {
   void add_definitions(const SourceFile& file);
   void keep_used(const Submission& submission);
 
+  Dialect dialect_ = Dialect::kMeshedit;
   std::vector<AddedPiece> pieces_;
   std::vector<std::pair<std::string, std::string>> declared_;  ///< class and name
   std::vector<std::string> troubles_;

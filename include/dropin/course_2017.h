@@ -12,7 +12,7 @@
 namespace meshedit {
 
 /// A curve that remembers all levels of de Casteljau's algorithm.
-class BezierCurve2017 {
+class BezierCurve2017 : public detail::Added<BezierCurve> {
  public:
   explicit BezierCurve2017(int n)
       : controlPoints(static_cast<std::size_t>(n)), t(0.0F), numControlPoints(n) {}
@@ -26,10 +26,15 @@ class BezierCurve2017 {
   std::vector<std::vector<Vector2D>> evaluatedLevels;
   float t;
   int numControlPoints;
+
+#ifdef MESHEDIT_ADDED
+ public:
+#include "meshedit_added_curve_2017.h"
+#endif
 };
 
 /// A patch without a function for the single step.
-class BezierPatch2017 {
+class BezierPatch2017 : public detail::Added<BezierPatch> {
  public:
   BezierPatch2017() = default;
   explicit BezierPatch2017(std::vector<std::vector<Vector3D>> net)
@@ -40,6 +45,11 @@ class BezierPatch2017 {
 
  protected:
   std::vector<std::vector<Vector3D>> controlPoints;
+
+#ifdef MESHEDIT_ADDED
+ public:
+#include "meshedit_added_patch_2017.h"
+#endif
 };
 
 }  // namespace meshedit

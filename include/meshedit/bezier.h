@@ -6,13 +6,19 @@
 #include <utility>
 #include <vector>
 
+#include "detail/added.h"
 #include "vector2d.h"
 #include "vector3d.h"
+
+// Members of a homework's own: see halfedge_mesh.h.
+#ifdef MESHEDIT_ADDED
+#include "halfedge_mesh.h"
+#endif
 
 namespace meshedit {
 
 /// A Bezier curve of the plane with any number of control points.
-class BezierCurve {
+class BezierCurve : public detail::Added<BezierCurve> {
  public:
   explicit BezierCurve(int n)
       : controlPoints(static_cast<std::size_t>(n)), t(0.0F), numControlPoints(n) {}
@@ -30,10 +36,15 @@ class BezierCurve {
   std::vector<Vector2D> controlPoints;
   float t;  ///< the parameter, from 0 to 1
   int numControlPoints;
+
+#ifdef MESHEDIT_ADDED
+ public:
+#include "meshedit_added_curve.h"
+#endif
 };
 
 /// A Bezier surface over a net of control points: rows of equal length, at least one of each.
-class BezierPatch {
+class BezierPatch : public detail::Added<BezierPatch> {
  public:
   BezierPatch() = default;
   explicit BezierPatch(std::vector<std::vector<Vector3D>> net)
@@ -60,6 +71,11 @@ class BezierPatch {
 
  protected:
   std::vector<std::vector<Vector3D>> controlPoints;
+
+#ifdef MESHEDIT_ADDED
+ public:
+#include "meshedit_added_patch.h"
+#endif
 };
 
 }  // namespace meshedit

@@ -49,11 +49,15 @@
 #include <utility>
 #include <vector>
 
+#include "detail/added.h"
 #include "detail/handle.h"
 #include "detail/pool.h"
 #include "vector3d.h"
 
 namespace meshedit {
+
+class BezierCurve;
+class BezierPatch;
 
 namespace detail {
 class MeshBuilder;
@@ -213,7 +217,7 @@ class Vertex : public detail::Element, public detail::Added<Vertex> {
 };
 
 /// A place for the cost of an edge, for those who go on to mesh simplification.
-class EdgeRecord {
+class EdgeRecord : public detail::Added<EdgeRecord> {
  public:
   EdgeRecord() = default;
   /// Left for you to define, should you need it: the record of this edge.
@@ -222,6 +226,9 @@ class EdgeRecord {
   EdgeIter edge;
   Vector3D optimalPoint;
   double score = 0.0;
+#ifdef MESHEDIT_ADDED
+#include "meshedit_added_edge_record.h"
+#endif
 };
 
 /// By score; where that is equal, by the order of the edges.

@@ -26,13 +26,21 @@ Submission hand_in(const std::string& folder) {
   return find_submission(kHomework / folder, SubmissionRules());
 }
 
+void replace_in(Submission& submission, const std::string& part,
+                const std::string& replacement) {
+  std::string& text = submission.sources.at(0).text;
+  const std::size_t at = text.find(part);
+  if (at == std::string::npos) {
+    ADD_FAILURE() << "the homework does not hold " << part;
+    return;
+  }
+  text.replace(at, part.size(), replacement);
+}
+
 /// The homework `since_2020` with one part of it replaced.
 Submission hand_in_with(const std::string& part, const std::string& replacement) {
   Submission submission = hand_in("since_2020");
-  std::string& text = submission.sources.at(0).text;
-  const std::size_t at = text.find(part);
-  if (at == std::string::npos) ADD_FAILURE() << "the homework does not hold " << part;
-  text.replace(at, part.size(), replacement);
+  replace_in(submission, part, replacement);
   return submission;
 }
 
@@ -320,6 +328,56 @@ TEST(AddedMembers, CannotBeOfATypeThatTheGraderLacks) {
                        "uses Vertex::mine, a member that was added to the course's "
                        "header (halfEdgeMesh.h, line 4)"));
   expect_independent_exercises_passed(report);
+}
+
+TEST(AddedMembers, MayBeOfCurvesAndPatches) {
+  Submission submission = hand_in_with("return evaluate1D(col, v);", "return last(col, v);");
+  replace_in(submission, "std::vector<Vector2D> res;",
+             "std::vector<Vector2D> res; calls += 1;");
+  submission.course_headers = {
+      {"bezierCurve.h", "class BezierCurve {\n  int calls;\n};\n"},
+      {"bezierPatch.h",
+       "class BezierPatch {\n  Vector3D last(std::vector<Vector3D> points, double t) const {\n"
+       "    return evaluate1D(points, t);\n  }\n};\n"}};
+  const Report report = grade_all(submission);
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_TRUE(has_note(report, "bezierCurve.h holds members of your own"));
+  EXPECT_TRUE(has_note(report, "BezierPatch::last"));
+}
+
+TEST(AddedMembers, OfCurvesAndPatchesMayBeToldFromTheirDefinition) {
+  const std::string declared_nowhere = ", which no header that was handed in declares";
+  Submission submission =
+      hand_in_with("return evaluate1D(col, v);", "return evaluate2D(col, v);");
+  replace_in(submission, "Vector3D BezierPatch::evaluate(double",
+             "Vector3D BezierPatch::evaluate2D(std::vector<Vector3D> points, double t) const\n"
+             "  {\n    return evaluate1D(points, t);\n  }\n\n"
+             "  Vector3D BezierPatch::evaluate(double");
+  Report report = grade_all(submission);
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_TRUE(has_note(report, "defines BezierPatch::evaluate2D" + declared_nowhere));
+
+  submission = hand_in("of_2017");
+  replace_in(submission, "(1 - t) * last[i] + t * last[i + 1]", "mix(last[i], last[i + 1])");
+  replace_in(submission, "void BezierCurve::evaluateStep()",
+             "Vector2D BezierCurve::mix(Vector2D a, Vector2D b) const\n"
+             "  {\n    return (1 - t) * a + t * b;\n  }\n\n  void BezierCurve::evaluateStep()");
+  report = grade_all(submission);
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_TRUE(has_note(report, "defines BezierCurve::mix" + declared_nowhere));
+}
+
+TEST(AddedMembers, OfEdgeRecordsBeginAsTheirHeaderSays) {
+  Submission submission = hand_in_with("VertexIter m = newVertex();",
+                                       "VertexIter m = newVertex();\n"
+                                       "if (e0->record.cost != 2 || !e0->record.near.empty()) "
+                                       "abort();\ne0->record.near.push_back(e0);");
+  submission.course_headers = {
+      {"halfEdgeMesh.h",
+       "class EdgeRecord {\n public:\n  double cost = 2;\n  std::vector<EdgeIter> near;\n"
+       "  double score;\n};\n"}};
+  const Report report = grade_all(submission);
+  EXPECT_EQ(report.points, report.max_points);
 }
 
 TEST(AddedMembers, WithASlipOfThePenDoNotCompile) {

@@ -129,6 +129,44 @@ TEST(MemberSplice, ANameThatIsNearlyOneOfTheCourseIsAMistake) {
   EXPECT_FALSE(MemberSplice::is_slip({"BezierCurve", "level", ""}));
 }
 
+TEST(MemberSplice, KnowsTheCurvesAndPatchesOfTheYear) {
+  const std::string header =
+      "class BezierCurve { public: void evaluateStep(); vector<vector<Vector2D> > "
+      "evaluatedLevels;\n  Vector2D mix(Vector2D a, Vector2D b) { return a * (1 - t) + b * t; "
+      "} };\n"
+      "class BezierPatch { Vector3D evaluate1D(std::vector<Vector3D> points, double t) const;\n"
+      "  std::vector<Vector3D> evaluateStep(std::vector<Vector3D> points, double t) const; "
+      "};\n";
+  Submission submission =
+      homework("mix(a, b); evaluateStep(points, t); evaluatedLevels;", header);
+  submission.dialect = Dialect::kCourse2017;
+  const MemberSplice splice(submission);
+  const std::string curve = text_of(splice, "meshedit_added_curve_2017.h");
+  EXPECT_TRUE(holds(curve, "Vector2D mix(Vector2D a, Vector2D b)")) << curve;
+  EXPECT_FALSE(holds(curve, "evaluateStep"));
+  EXPECT_FALSE(holds(text_of(splice, "meshedit_added_data.h"), "evaluatedLevels"));
+  const std::string patch = text_of(splice, "meshedit_added_patch_2017.h");
+  EXPECT_TRUE(holds(patch, "evaluateStep")) << "this year's patch has no such function";
+  EXPECT_FALSE(holds(patch, "evaluate1D"));
+  submission.dialect = Dialect::kCourse2016;
+  EXPECT_TRUE(MemberSplice(submission).empty()) << "its Bezier part is left out";
+}
+
+TEST(MemberSplice, AFunctionBesideTheOneThatItIsNearlyCalledIsNoMistake) {
+  const MemberUse use{"BezierPatch", "evaluate2D", "student_code.cpp:1"};
+  const std::string helper = "Vector3D BezierPatch::evaluate2D(double u) const { return u; }\n";
+  Submission submission = homework(helper);
+  MemberSplice alone(submission);
+  EXPECT_FALSE(alone.add_from_use({use}, submission));
+  submission = homework(helper +
+                        "Vector3D BezierPatch::evaluate1D(std::vector<Vector3D> const &points, "
+                        "double t) const { return points[0]; }\n");
+  MemberSplice both(submission);
+  EXPECT_TRUE(both.add_from_use({use}, submission));
+  EXPECT_TRUE(
+      holds(text_of(both, "meshedit_added_patch.h"), "Vector3D evaluate2D(double u) const"));
+}
+
 TEST(MemberSplice, DropsWhatDoesNotCompile) {
   MemberSplice splice(homework("v->isBlue; v->weight();", kHeader));
   splice.drop_blamed("halfEdgeMesh.h:7:9: error: no such thing\n");
