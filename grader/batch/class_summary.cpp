@@ -82,6 +82,7 @@ class Summing {
       return;
     }
     points_.push_back(row.points);
+    add_undecided(row);
     for (std::size_t i = 0; i < row.exercises.size(); ++i) {
       const ExercisePoints& exercise = row.exercises[i];
       ExerciseSummary& sum = summary_.exercises.at(i);
@@ -91,6 +92,16 @@ class Summing {
     }
     const Result result = store_.load(row.key);
     if (result.report) add_findings(row.key, *result.report);
+  }
+
+  void add_undecided(const ClassRow& row) {
+    std::vector<std::string> open;
+    for (const ExercisePoints& exercise : row.exercises) {
+      if (exercise.verdict != verdict_name(Verdict::kNotJudged) || exercise.max_points <= 0.0)
+        continue;
+      open.push_back(exercise.name + ", " + number_text(exercise.max_points) + " points");
+    }
+    if (!open.empty()) summary_.undecided.push_back({row.key, join(open, "; ")});
   }
 
   void add_findings(const std::string& key, const Report& report) {
@@ -220,6 +231,7 @@ std::string to_text(const ClassSummary& summary) {
             " without a time: nothing is taken off, late or not\n";
   }
   text += remarks_text("Not graded", summary.not_graded);
+  text += remarks_text("Not judged: a person has to decide", summary.undecided);
   text += remarks_text("Suspected of tampering: look at these", summary.suspicious);
   std::vector<Remark> left_out;
   for (const Omission& omission : summary.left_out)

@@ -48,6 +48,7 @@ struct ClassSummary {
   std::vector<CommonFault> rules;           ///< broken rules, the most common first
   std::vector<CommonFault> misconceptions;  ///< that explain the numbers; the same
   std::vector<Remark> not_graded;
+  std::vector<Remark> undecided;   ///< exercises about which nothing could be said
   std::vector<Remark> suspicious;  ///< what only somebody does who wants to deceive the grader
   std::vector<Omission> left_out;
 };

@@ -60,6 +60,7 @@ std::string to_json(const ClassSummary& summary) {
                    {"rules", to_value(summary.rules)},
                    {"misconceptions", to_value(summary.misconceptions)},
                    {"not_graded", to_value(summary.not_graded)},
+                   {"undecided", to_value(summary.undecided)},
                    {"suspicious", to_value(summary.suspicious)},
                    {"left_out", left_out}};
   return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -138,6 +138,7 @@ Json to_json_value(const Report& report) {
              {"max_extra_points", report.max_extra_points},
              {"notes", report.notes},
              {"sandbox", to_value(report.sandbox)}};
+  if (report.points_not_judged() > 0.0) value["points_not_judged"] = report.points_not_judged();
   if (report.hidden_show != HiddenShow::kAll) {
     value["hidden_show"] = report.hidden_show == HiddenShow::kRule ? "rule" : "name";
   }

@@ -249,6 +249,14 @@ bool Report::has_grader_error() const {
   });
 }
 
+double Report::points_not_judged() const {
+  double sum = 0.0;
+  for (const ExerciseReport& exercise : exercises) {
+    if (exercise.verdict == Verdict::kNotJudged) sum += exercise.max_points;
+  }
+  return sum;
+}
+
 Report student_view(Report report) {
   if (report.hidden_show == HiddenShow::kAll) return report;
   for (ExerciseReport& exercise : report.exercises) {

@@ -96,6 +96,9 @@ struct Report {
   double max_extra_points = 0.0;
 
   bool has_grader_error() const;
+  /// Of exercises about which nothing could be said. They are not earned, and not lost by a
+  /// mistake either: a person has to look.
+  double points_not_judged() const;
 };
 
 /// The report as the student may see it: of hidden cases only what the assignment allows.

@@ -84,6 +84,20 @@ class TerminalReport {
     out_ += "  " + pad("total", 38) +
             paint("1", pad_left(points_text(report_.points, report_.max_points), 12)) +
             extra_text(report_.extra_points, report_.max_extra_points) + "\n";
+    add_not_judged();
+  }
+
+  void add_not_judged() {
+    if (report_.points_not_judged() <= 0.0) return;
+    std::vector<std::string> names;
+    for (const ExerciseReport& e : report_.exercises) {
+      if (e.verdict == Verdict::kNotJudged) names.push_back(e.name);
+    }
+    out_ += "  " +
+            paint("33", number_text(report_.points_not_judged()) +
+                            " of the missing points were not judged (" + join(names, ", ") +
+                            "): the notes say why, and a person has to decide") +
+            "\n";
   }
 
   void add_file(const FileReport& file) {

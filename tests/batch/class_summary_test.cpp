@@ -49,6 +49,16 @@ TEST(ClassSummary, CountsAndMeasures) {
   EXPECT_EQ(nlohmann::json::parse(to_json(summary)).at("schema"), "meshgrade-summary/1");
 }
 
+TEST(ClassSummary, NamesWhoHasPointsThatWereNotJudged) {
+  GradedClass graded({{"ann", "10"}, {"bob", "0"}});
+  graded.results.rows[1].exercises.at(0).verdict = "not judged";
+  const ClassSummary summary = summarize(graded.results, graded.made.store());
+  ASSERT_EQ(summary.undecided.size(), 1U);
+  EXPECT_EQ(summary.undecided[0].key, "bob");
+  EXPECT_THAT(summary.undecided[0].why, HasSubstr(", 10 points"));
+  EXPECT_THAT(to_text(summary), HasSubstr("\nNot judged: a person has to decide\n  bob: "));
+}
+
 TEST(ClassSummary, LateWorkIsTakenOffVisibly) {
   GradedClass graded({{"ann", "10"}, {"bob", "0.5"}, {"cem", "8"}});
   Roster roster = read_roster(graded.made.submissions(), {});

@@ -12,6 +12,8 @@
 #include "grader/app/context.h"
 #include "grader/app/grading.h"
 #include "grader/base/process.h"
+#include "grader/report/json_report.h"
+#include "grader/report/terminal_report.h"
 #include "tests/dropin/course_project.h"
 
 namespace meshgrade {
@@ -323,6 +325,11 @@ TEST(AddedMembers, CannotBeOfATypeThatTheGraderLacks) {
   const Report report = grade_all(hand_in_marking("GLWindow* mine;"));
   EXPECT_EQ(verdicts(report)["edge_split"], "not judged");
   EXPECT_EQ(verdicts(report)["edge_flip"], "passed");
+  EXPECT_EQ(report.points_not_judged(), 20.0);
+  EXPECT_NE(
+      to_terminal(report, {}).find("20 of the missing points were not judged (edge_split)"),
+      std::string::npos);
+  EXPECT_NE(to_json(report).find("\"points_not_judged\": 20"), std::string::npos);
   EXPECT_TRUE(has_note(report, "halfEdgeMesh.h:4: Vertex::mine cannot be taken over"));
   EXPECT_TRUE(has_note(report,
                        "uses Vertex::mine, a member that was added to the course's "

@@ -111,6 +111,8 @@ export interface Report {
   max_points: number;
   extra_points: number;
   max_extra_points: number;
+  /** Of exercises about which nothing could be said; missing if there are none. */
+  points_not_judged?: number;
   notes: string[];
   files: { name: string; compiled: boolean; messages: string }[];
   exercises: Exercise[];

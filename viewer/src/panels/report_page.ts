@@ -32,7 +32,10 @@ function head(report: Report): HTMLElement {
     el('div', { class: 'total' },
       score(report.points, report.max_points),
       bar(report.points, report.max_points, `${points(report.points)} of ${points(report.max_points)} points`),
-      extra),
+      extra,
+      report.points_not_judged
+        ? el('span', { class: 'quiet' }, `${points(report.points_not_judged)} points were not judged: a person has to decide`)
+        : null),
   );
 }
 
