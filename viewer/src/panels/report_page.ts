@@ -161,14 +161,10 @@ function notCompiled(report: Report): Child {
       el('pre', { tabindex: 0 }, f.messages))));
 }
 
-function files(report: Report): Child {
-  const warned = report.files.filter((f) => f.compiled && f.messages !== '');
-  if (warned.length === 0 && report.notes.length === 0) return null;
+function notes(report: Report): Child {
+  if (report.notes.length === 0) return null;
   return el('section', { class: 'files' },
-    report.notes.length > 0 && el('ul', { class: 'notes' }, ...report.notes.map((n) => el('li', {}, n))),
-    ...warned.map((f) => el('details', {},
-      el('summary', {}, el('span', { class: 'mono' }, f.name), ' compiled with warnings'),
-      el('pre', { tabindex: 0 }, f.messages))));
+    el('ul', { class: 'notes' }, ...report.notes.map((n) => el('li', {}, n))));
 }
 
 export function showReport(app: HTMLElement, report: Report): void {
@@ -181,7 +177,7 @@ export function showReport(app: HTMLElement, report: Report): void {
       notCompiled(report),
       firstSection(first),
       overview(report),
-      files(report),
+      notes(report),
       ...report.exercises.filter((e) => !isPassed(e)).map((e) => exerciseSection(e, first)),
       el('footer', { class: 'quiet' }, `Meshgrade, random cases from seed ${report.seed}. Repeat a case: `,
         el('code', {}, 'meshgrade replay CASE'), '.')),

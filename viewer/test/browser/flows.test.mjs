@@ -6,7 +6,8 @@ import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import http from 'node:http';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { Viewer, accessibilityProblems, homework, openPage, program, scratch, snap, source } from './harness.mjs';
+import { Viewer, accessibilityProblems, homework, openPage, program, scratch, snap } from './harness.mjs';
+import { classData, classFile } from './made_class.mjs';
 
 test('A report opens from a file, shows the first failure and asks for nothing', async () => {
   const html = join(scratch, 'report.html');
@@ -49,36 +50,10 @@ test('Markup in names and output comes out as text', async () => {
   await page.close();
 });
 
-/** A class of made-up students, as a batch writes it into the page. */
-function classData(size) {
-  const worth = [['edge_flip', 40], ['edge_split', 60]];
-  const exercise = ([name, most], verdict, got) => ({
-    name, verdict, points: got, max_points: most, extra_points: 0, max_extra_points: 0,
-  });
-  const rows = Array.from({ length: size }, (_, i) => {
-    const exercises = worth.map((w, k) =>
-      (i + k) % 3 === 0 ? exercise(w, 'passed', w[1]) : exercise(w, 'failed', (7 * i) % w[1]));
-    return {
-      key: `k${i}`, people: [{ id: `u${i}`, name: i === 5 ? '<b>Five</b>' : `Student ${i}`, email: '' }],
-      submitted_at: '', late: i % 9 === 0, status: 'graded', reason: '',
-      points: exercises[0].points + exercises[1].points, extra_points: 0, exercises,
-    };
-  });
-  return {
-    kind: 'class',
-    class: { assignment: 'A class', max_points: 100, max_extra_points: 0,
-      exercises: worth.map((w) => exercise(w, '', 0)), rows, left_out: [] },
-    links: { k5: 'results/k5/report.html' },
-  };
-}
-
 test('A class of 1,000 is sorted and searched, from a file', async () => {
   const data = classData(1000);
-  const html = join(scratch, 'class.html');
-  const page0 = readFileSync(join(source, 'viewer/dist/viewer.html'), 'utf8');
-  writeFileSync(html, page0.replace('{"kind":"empty"}', () => JSON.stringify(data).replaceAll('<', '\\u003c')));
   const problems = [];
-  const page = await openPage(`file://${html}`, problems);
+  const page = await openPage(`file://${classFile(data)}`, problems);
   const rows = page.locator('.class-table tbody tr');
   assert.equal(await rows.count(), 1000);
   await page.getByRole('button', { name: 'Points', exact: true }).click();
