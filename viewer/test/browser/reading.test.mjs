@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
-import { Viewer, accessibilityProblems, homework, openPage, program, scratch, snap } from './harness.mjs';
+import { Viewer, accessibilityProblems, homework, openPage, program, scratch } from './harness.mjs';
 import { classData, classFile } from './made_class.mjs';
 
 const report = join(scratch, 'read.html');
@@ -47,7 +47,6 @@ test('A report is read at 400 pixels, by day and in the dark', async () => {
   await page.locator('.case figure, .case svg').first().waitFor();
   for (const colorScheme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme });
-    await snap(page, `report_400_${colorScheme}`);
     assert.equal(await overhang(page), 0, colorScheme);
     assert.deepEqual(await smallTexts(page), [], colorScheme);
     assert.deepEqual(await accessibilityProblems(page), [], colorScheme);
@@ -75,7 +74,6 @@ test('The first failure comes before the exercises, and what passed is one line'
 test('On paper a report is dark on light, whatever the screen', async () => {
   const page = await openPage(`file://${report}`, []);
   await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
-  await snap(page, 'report_paper');
   const [ground, ink] = await page.evaluate(() => {
     const style = getComputedStyle(document.body);
     return [style.backgroundColor, style.color];
@@ -91,7 +89,6 @@ test('A class is read at 360 pixels, and full points have a bar of their own', a
   await page.setViewportSize({ width: 360, height: 800 });
   for (const colorScheme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme });
-    await snap(page, `class_360_${colorScheme}`);
     assert.equal(await overhang(page), 0, colorScheme);
     assert.deepEqual(await smallTexts(page), [], colorScheme);
     assert.deepEqual(await accessibilityProblems(page), [], colorScheme);
