@@ -17,8 +17,9 @@ enum class OperationKind : std::uint32_t { kFlip = 0, kSplit = 1 };
 enum class Anchoring : std::uint32_t {
   kAsBuilt = 0,
   kOnEdge = 1,  ///< the first edge its other half-edge; its faces and inner ends the edge's own
-  kElsewhere = 2,   ///< every element of the mesh another one than as it is built
-  kOnEachEdge = 3,  ///< as kOnEdge, before each operation
+  kElsewhere = 2,    ///< every element of the mesh another one than as it is built
+  kOnEachEdge = 3,   ///< as each operation's `anchors` say, before it
+  kFromEarlier = 4,  ///< the half-edge of each edge starts at that of its ends that comes first
 };
 
 /// What a title adds for elements that are anchored in this way, after what is asked.
@@ -28,6 +29,8 @@ inline const char* anchoring_text(Anchoring anchoring) {
       return ", each halfedge() another than after build()";
     case Anchoring::kOnEachEdge:
       return ", each edge anchored by its ends and faces";
+    case Anchoring::kFromEarlier:
+      return ", the half-edge of each edge starting at its earlier end";
     default:
       return "";
   }
@@ -39,6 +42,7 @@ struct Operation {
   OperationKind kind = OperationKind::kFlip;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
+  std::uint32_t anchors = 0;  ///< with kOnEachEdge, one of the kAnchorWays of anchor_on()
 };
 
 struct OperationsInput {
@@ -70,7 +74,7 @@ struct SubdivisionInput {
   std::string mesh_name;  ///< for titles
   PolygonMesh mesh;
   std::uint32_t levels = 1;
-  Anchoring anchoring = Anchoring::kAsBuilt;  ///< kAsBuilt or kElsewhere
+  Anchoring anchoring = Anchoring::kAsBuilt;  ///< kAsBuilt, kElsewhere or kFromEarlier
 
   template <class Wire>
   void transfer(Wire& wire) {

@@ -23,6 +23,24 @@ PolygonMesh in_build_order(const PolygonMesh& mesh) {
   return ordered;
 }
 
+PolygonMesh beginning_at_highest_valence(PolygonMesh mesh) {
+  std::vector<std::uint32_t> valence(mesh.positions.size(), 0);
+  for (const auto& polygon : mesh.polygons) {
+    for (std::uint32_t corner : polygon)
+      ++valence[corner];
+  }
+  const auto highest = static_cast<std::uint32_t>(
+      std::max_element(valence.begin(), valence.end()) - valence.begin());
+  for (auto& polygon : mesh.polygons) {
+    const auto corner = std::find(polygon.begin(), polygon.end(), highest);
+    if (corner == polygon.end()) continue;
+    std::rotate(polygon.begin(), corner, polygon.end());
+    std::swap(polygon, mesh.polygons.front());
+    break;
+  }
+  return in_build_order(mesh);
+}
+
 PolygonMesh jittered(const PolygonMesh& mesh, double amount, Random& random) {
   const auto move = [&](double x) { return x + random.between(-amount, amount); };
   return mapped(mesh, [&](const Point3& p) {

@@ -22,6 +22,9 @@ using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
 /// the order that a built half-edge mesh has.
 PolygonMesh in_build_order(const PolygonMesh& mesh);
 
+/// The same mesh with another vertex first: that with the most neighbours.
+PolygonMesh beginning_at_highest_valence(PolygonMesh mesh);
+
 /// The mesh with every position p replaced by `map(p)`.
 template <class Map>
 PolygonMesh mapped(PolygonMesh mesh, Map map) {

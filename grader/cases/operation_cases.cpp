@@ -5,6 +5,7 @@
 
 #include "grader/base/text.h"
 #include "grader/cases/moved_meshes.h"
+#include "grader/mesh/build_mesh.h"
 #include "grader/mesh/torus_mesh.h"
 
 namespace meshgrade {
@@ -53,6 +54,22 @@ std::uint32_t flips(OperationKind kind) {
   return kind == OperationKind::kFlip ? 10 : 0;
 }
 
+/// Each operation the next way to anchor, beginning with `first`.
+std::vector<Operation> anchored(std::vector<Operation> operations, std::uint32_t first = 0) {
+  for (std::size_t i = 0; i < operations.size(); ++i)
+    operations[i].anchors = (first + static_cast<std::uint32_t>(i)) % kAnchorWays;
+  return operations;
+}
+
+/// The same at a boundary, where two of three operations count: these have all ways in turn.
+std::vector<Operation> anchored_at_boundary(std::vector<Operation> operations,
+                                            std::uint32_t first = 0) {
+  for (std::size_t i = 0; i < operations.size(); ++i) {
+    operations[i].anchors = (first + static_cast<std::uint32_t>(i - i / 3)) % kAnchorWays;
+  }
+  return operations;
+}
+
 std::uint64_t budget_of(const OperationsInput& input) {
   return input.operations.size() * (2000 + 100 * input.mesh.polygons.size());
 }
@@ -84,17 +101,19 @@ std::vector<Operation> draw_operations(const PolygonMesh& mesh,
   return operations;
 }
 
-/// Random splits, two of three of them at the boundary, that begin with `operations`.
+/// Random splits that begin with `operations`. Two of three are at the boundary, and the one
+/// with the place `inside` among the three is not.
 std::vector<Operation> draw_boundary_splits(const PolygonMesh& mesh,
                                             std::vector<Operation> operations,
-                                            std::uint32_t length, Random& random) {
+                                            std::uint32_t length, Random& random,
+                                            std::size_t inside = 2) {
   TriangleSet triangles(mesh);
   for (const Operation& operation : operations)
     triangles.split({operation.a, operation.b});
   while (operations.size() < length) {
     const std::vector<VertexPair> edges = triangles.edges();
     const VertexPair edge = edges[random.below(static_cast<std::uint32_t>(edges.size()))];
-    const bool at_boundary = operations.size() % 3 != 2;
+    const bool at_boundary = operations.size() % 3 != inside;
     if (triangles.is_boundary(edge) != at_boundary) continue;
     operations.push_back({OperationKind::kSplit, edge.first, edge.second});
     triangles.split(edge);
@@ -152,11 +171,14 @@ void add_split_sequence(CaseMaker& maker, const std::string& group, const std::s
 }
 
 void add_more_boundary_splits(CaseMaker& maker, const std::string& group, Random& random) {
+  // Two of three are at the boundary: so many that each way to anchor is among them.
+  constexpr std::uint32_t kLength = 8;
+  const std::string title = std::to_string(kLength) + " random splits of ";
   const auto add = [&](const std::string& name, const PolygonMesh& mesh,
                        const std::vector<Operation>& first) {
-    add_operations(
-        maker, group, "3 random splits of " + name + ", inside and at its boundary",
-        {name, mesh, Anchoring::kOnEachEdge, draw_boundary_splits(mesh, first, 3, random)});
+    add_operations(maker, group, title + name + ", inside and at its boundary",
+                   {name, mesh, Anchoring::kOnEachEdge,
+                    anchored_at_boundary(draw_boundary_splits(mesh, first, kLength, random))});
   };
   const PolygonMesh fan = shaken(maker.mesh("fan.obj"), random);
   const std::vector<Operation> first = draw_boundary_splits(fan, {}, 1, random);
@@ -169,12 +191,17 @@ void add_more_boundary_splits(CaseMaker& maker, const std::string& group, Random
   const PolygonMesh large = open_grid(16, random);
   add("a square of 512 triangles", large, {});
   const PolygonMesh grid = shaken(maker.mesh("grid_4x4.obj"), random);
-  const OperationsInput input{"grid_4x4.obj, shaken", grid, Anchoring::kOnEachEdge,
-                              draw_boundary_splits(grid, {}, 8, random)};
-  maker.add_fresh(group,
-                  "8 random splits of grid_4x4.obj, shaken, inside and at its boundary, before "
-                  "anything else",
-                  budget_of(input), input, called_by(input.operations));
+  // A mistake at the third call only: that is at the boundary, once for each way to anchor.
+  for (std::uint32_t way = 0; way < kAnchorWays; ++way) {
+    const OperationsInput input{"grid_4x4.obj, shaken", grid, Anchoring::kOnEachEdge,
+                                anchored(draw_boundary_splits(grid, {}, 3, random, 1), way)};
+    maker.add_fresh(
+        group,
+        "3 random splits of grid_4x4.obj, shaken, inside and at its boundary, before "
+        "anything else (" +
+            std::to_string(way + 1) + ")",
+        budget_of(input), input, called_by(input.operations));
+  }
 }
 
 void add_sequence(CaseMaker& maker, const std::string& group, const std::string& file,
@@ -187,17 +214,17 @@ void add_sequence(CaseMaker& maker, const std::string& group, const std::string&
 
 void add_moved_sequences(CaseMaker& maker, const std::string& group, OperationKind kind,
                          const std::vector<std::string>& files, Random& random) {
-  constexpr std::uint32_t kLength = 4;
   const std::string& file = files[random.below(static_cast<std::uint32_t>(files.size()))];
   const PolygonMesh mesh = shaken(maker.mesh(file), random);
   const std::vector<Operation> first = draw_operations(mesh, {}, 1, flips(kind), random);
   const VertexPair edge{first[0].a, first[0].b};
   for (const MovedMesh& moved : moved_meshes(mesh, edge)) {
     const std::string name = file + ", shaken, " + moved.how;
-    add_operations(maker, group, sequence_text(kLength, flips(kind)) + name,
-                   {name, moved.mesh, Anchoring::kOnEachEdge,
-                    draw_operations(moved.mesh, {{kind, moved.edge.first, moved.edge.second}},
-                                    kLength, flips(kind), random)});
+    const std::vector<Operation> operations =
+        draw_operations(moved.mesh, {{kind, moved.edge.first, moved.edge.second}}, kAnchorWays,
+                        flips(kind), random);
+    add_operations(maker, group, sequence_text(kAnchorWays, flips(kind)) + name,
+                   {name, moved.mesh, Anchoring::kOnEachEdge, anchored(operations)});
   }
 }
 
@@ -209,15 +236,20 @@ void add_high_valences(CaseMaker& maker, const std::string& group, OperationKind
     for (std::uint32_t corner : triangle)
       ++valence[corner];
   }
+  // Of each vertex one edge whose half-edge starts there, as it is built, and one whose
+  // half-edge does so when it is turned: both begin at the vertex then.
   std::set<std::uint32_t> done;
   std::vector<Operation> operations;
   for (std::uint32_t v = 0; v < valence.size(); ++v) {
     if (valence[v] < 13 || !done.insert(valence[v]).second) continue;
+    const auto way = static_cast<std::uint32_t>(done.size()) % 3;
     for (const auto& triangle : mesh.polygons) {
       const auto corner = std::find(triangle.begin(), triangle.end(), v);
       if (corner == triangle.end()) continue;
-      const std::uint32_t other = corner + 1 == triangle.end() ? triangle[0] : corner[1];
-      operations.push_back({kind, std::min(v, other), std::max(v, other)});
+      const std::uint32_t next = corner + 1 == triangle.end() ? triangle[0] : corner[1];
+      const std::uint32_t last = corner == triangle.begin() ? triangle.back() : corner[-1];
+      operations.push_back({kind, std::min(v, next), std::max(v, next), way + 3});
+      operations.push_back({kind, std::min(v, last), std::max(v, last), way});
       break;
     }
   }
@@ -242,19 +274,24 @@ void add_constant_work(CaseMaker& maker, const std::string& group, OperationKind
 void add_large_sequence(CaseMaker& maker, const std::string& group, OperationKind kind,
                         Random& random) {
   const PolygonMesh mesh = in_build_order(torus_mesh(24, 24));
-  add_operations(maker, group, sequence_text(4, flips(kind)) + "a torus of 1152 triangles",
+  add_operations(maker, group,
+                 sequence_text(kAnchorWays, flips(kind)) + "a torus of 1152 triangles",
                  {"a torus of 1152 triangles", mesh, Anchoring::kOnEachEdge,
-                  draw_operations(mesh, {}, 4, flips(kind), random)});
+                  anchored(draw_operations(mesh, {}, kAnchorWays, flips(kind), random))});
 }
 
-void add_fresh_sequence(CaseMaker& maker, const std::string& group, OperationKind kind,
-                        const std::string& file, std::uint32_t length, Random& random) {
+void add_fresh_sequences(CaseMaker& maker, const std::string& group, OperationKind kind,
+                         const std::string& file, std::uint32_t length, Random& random) {
   const PolygonMesh mesh = shaken(maker.mesh(file), random);
-  const OperationsInput input{file + ", shaken", mesh, Anchoring::kOnEachEdge,
-                              draw_operations(mesh, {}, length, flips(kind), random)};
-  maker.add_fresh(group,
-                  sequence_text(length, flips(kind)) + file + ", shaken, before anything else",
-                  budget_of(input), input, called_by(input.operations));
+  for (std::uint32_t way = 0; way < kAnchorWays; ++way) {
+    const OperationsInput input{
+        file + ", shaken", mesh, Anchoring::kOnEachEdge,
+        anchored(draw_operations(mesh, {}, length, flips(kind), random), way)};
+    maker.add_fresh(group,
+                    sequence_text(length, flips(kind)) + file +
+                        ", shaken, before anything else (" + std::to_string(way + 1) + ")",
+                    budget_of(input), input, called_by(input.operations));
+  }
 }
 
 }  // namespace meshgrade

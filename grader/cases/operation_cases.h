@@ -38,8 +38,8 @@ void add_split_sequence(CaseMaker& maker, const std::string& group, const std::s
                         std::uint32_t length, Random& random);
 
 /// Adds such sequences on open meshes: under each map of moved_meshes(), with 22 triangles
-/// around a vertex, on a mesh of 512 triangles, and in a process in which nothing was called
-/// before. Their edges are anchored by what is around them.
+/// around a vertex, on a mesh of 512 triangles, and in processes in which nothing was called
+/// before. The elements around their edges are anchored in all ways of anchor_on().
 void add_more_boundary_splits(CaseMaker& maker, const std::string& group, Random& random);
 
 /// Adds a random sequence of `length` operations on inner edges of a mesh file. Each is one
@@ -48,12 +48,13 @@ void add_more_boundary_splits(CaseMaker& maker, const std::string& group, Random
 void add_sequence(CaseMaker& maker, const std::string& group, const std::string& file,
                   std::uint32_t length, std::uint32_t flips_of_ten, Random& random);
 
-/// Adds sequences of four operations of one kind on a mesh that is drawn from these files and
-/// shaken, under each map of moved_meshes(). Their edges are anchored by what is around them.
+/// Adds sequences of operations of one kind, one for each way of anchor_on(), on a mesh that is
+/// drawn from these files and shaken, under each map of moved_meshes().
 void add_moved_sequences(CaseMaker& maker, const std::string& group, OperationKind kind,
                          const std::vector<std::string>& files, Random& random);
 
-/// Adds one operation of this kind at a vertex of each valence from 13 to 24.
+/// Adds two operations of this kind at a vertex of each valence from 13 to 24. The half-edges
+/// of their edges start at that vertex.
 void add_high_valences(CaseMaker& maker, const std::string& group, OperationKind kind,
                        Random& random);
 
@@ -62,11 +63,12 @@ void add_high_valences(CaseMaker& maker, const std::string& group, OperationKind
 void add_constant_work(CaseMaker& maker, const std::string& group, OperationKind kind,
                        std::uint32_t n);
 
-/// Adds four operations on a closed mesh of 1152 triangles, and `length` on a mesh file in a
-/// process in which nothing was called before. Their edges are anchored by what is around them.
+/// Adds an operation for each way of anchor_on() on a closed mesh of 1152 triangles; and
+/// sequences of `length` on a mesh file, each in a process in which nothing was called before,
+/// so that the third call, say, meets each way to anchor.
 void add_large_sequence(CaseMaker& maker, const std::string& group, OperationKind kind,
                         Random& random);
-void add_fresh_sequence(CaseMaker& maker, const std::string& group, OperationKind kind,
-                        const std::string& file, std::uint32_t length, Random& random);
+void add_fresh_sequences(CaseMaker& maker, const std::string& group, OperationKind kind,
+                         const std::string& file, std::uint32_t length, Random& random);
 
 }  // namespace meshgrade

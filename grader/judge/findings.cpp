@@ -16,7 +16,9 @@ std::string error_text(double error, double size, double tolerance) {
 }
 
 void mention_anchoring(Anchoring anchoring, CaseJudgement& judgement) {
-  if (anchoring != Anchoring::kElsewhere || judgement.findings.empty()) return;
+  const bool is_changed =
+      anchoring == Anchoring::kElsewhere || anchoring == Anchoring::kFromEarlier;
+  if (!is_changed || judgement.findings.empty()) return;
   judgement.findings[0].look_at +=
       "; does your code rely on which half-edge halfedge() of a vertex or an edge is? Here "
       "each "

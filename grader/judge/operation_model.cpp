@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "grader/mesh/build_mesh.h"
 namespace meshgrade {
 namespace {
 
@@ -83,14 +84,17 @@ Diamond diamond_of(const MeshDump& mesh, Ref edge) {
   return diamond;
 }
 
-void model_anchor_on(MeshDump& mesh, Ref edge) {
-  const Ref h = mesh.halfedges[mesh.edges[edge].halfedge].twin;
-  mesh.edges[edge].halfedge = h;
+void model_anchor_on(MeshDump& mesh, Ref edge, std::uint32_t way) {
+  Ref& anchor = mesh.edges[edge].halfedge;
+  if (way < kAnchorWays / 2) anchor = mesh.halfedges[anchor].twin;
+  const Ref h = anchor;
   std::set<Ref> on_boundary;
   for (const HalfedgeRecord& other : mesh.halfedges) {
     if (other.live != 0 && (other.face & kBoundaryBit) != 0) on_boundary.insert(other.vertex);
   }
   for (Ref side : {h, mesh.halfedges[h].twin}) {
+    for (std::uint32_t i = 0; i < way % 3; ++i)
+      side = next_of(mesh, side);
     const HalfedgeRecord& record = mesh.halfedges[side];
     if ((record.face & kBoundaryBit) != 0) {
       mesh.boundaries[record.face & ~kBoundaryBit].halfedge = side;

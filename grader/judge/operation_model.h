@@ -24,7 +24,7 @@ struct Diamond {
 Diamond diamond_of(const MeshDump& mesh, Ref edge);
 
 /// Anchors an edge and what is around it as anchor_on() of grader/mesh/build_mesh.h does.
-void model_anchor_on(MeshDump& mesh, Ref edge);
+void model_anchor_on(MeshDump& mesh, Ref edge, std::uint32_t way = 0);
 
 /// Turns an inner edge between two triangles. Of a mesh that breaks rules it makes what a flip
 /// makes that reads all its pointers first and writes them then: all still lead somewhere.

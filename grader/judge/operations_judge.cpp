@@ -17,24 +17,6 @@ Ref live_vertex(const MeshDump& mesh, std::uint32_t place) {
   return kUnsetRef;
 }
 
-/// The mesh that the worker begins with.
-MeshDump first_mesh(const OperationsInput& input) {
-  meshedit::HalfedgeMesh mesh;
-  build_mesh(input.mesh, mesh);
-  MeshDump built = dump_mesh(mesh);
-  if (input.anchoring == Anchoring::kAsBuilt || input.anchoring == Anchoring::kOnEachEdge) {
-    return built;
-  }
-  if (input.anchoring == Anchoring::kElsewhere) {
-    anchor_elsewhere(mesh);
-    return dump_mesh(mesh);
-  }
-  const Operation& first = input.operations.at(0);
-  const Ref e = find_edge(built, live_vertex(built, first.a), live_vertex(built, first.b));
-  anchor_on(std::next(mesh.edgesBegin(), e));
-  return dump_mesh(mesh);
-}
-
 const char* verb(const Operation& operation) {
   return operation.kind == OperationKind::kFlip ? "flip" : "split";
 }
@@ -76,6 +58,23 @@ void leave_to_other_exercise(const JudgeTask& task, const OperationsInput& input
 
 }  // namespace
 
+MeshDump first_mesh(const OperationsInput& input) {
+  meshedit::HalfedgeMesh mesh;
+  build_mesh(input.mesh, mesh);
+  MeshDump built = dump_mesh(mesh);
+  if (input.anchoring == Anchoring::kAsBuilt || input.anchoring == Anchoring::kOnEachEdge) {
+    return built;
+  }
+  if (input.anchoring == Anchoring::kElsewhere) {
+    anchor_elsewhere(mesh);
+    return dump_mesh(mesh);
+  }
+  const Operation& first = input.operations.at(0);
+  const Ref e = find_edge(built, live_vertex(built, first.a), live_vertex(built, first.b));
+  anchor_on(std::next(mesh.edgesBegin(), e));
+  return dump_mesh(mesh);
+}
+
 void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
   const auto input = from_wire<OperationsInput>(task.asked.input);
   if (task.outcome.steps.size() > input.operations.size()) throw WireError("too many steps");
@@ -87,7 +86,8 @@ void judge_operations(const JudgeTask& task, CaseJudgement& judgement) {
     const Ref b = live_vertex(before, input.operations[i].b);
     const Ref edge = find_edge(before, a, b);
     if (edge == kUnsetRef || step.edge != edge) throw WireError("another edge");
-    if (input.anchoring == Anchoring::kOnEachEdge) model_anchor_on(before, edge);
+    if (input.anchoring == Anchoring::kOnEachEdge)
+      model_anchor_on(before, edge, input.operations[i].anchors);
     judge_step(task, before, input.operations[i], step, step_text(input, i, a, b), judgement);
     if (!judgement.findings.empty() || judgement.verdict != Verdict::kPassed) break;
     before = step.after;
@@ -134,7 +134,8 @@ void show_stopped_operation(const JudgeTask& task, Finding& finding) {
   const Ref edge =
       find_edge(before, live_vertex(before, operation.a), live_vertex(before, operation.b));
   if (edge == kUnsetRef || stopped.edge != edge) throw WireError("another edge");
-  if (input.anchoring == Anchoring::kOnEachEdge) model_anchor_on(before, edge);
+  if (input.anchoring == Anchoring::kOnEachEdge)
+    model_anchor_on(before, edge, operation.anchors);
   finding.pointers.figure = figure_of_stop(before, operation.kind, edge, stopped.after);
 }
 

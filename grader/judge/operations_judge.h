@@ -2,8 +2,12 @@
 
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/judge.h"
+#include "grader/mesh/mesh_dump.h"
 
 namespace meshgrade {
+
+/// The mesh that the worker begins with.
+MeshDump first_mesh(const OperationsInput& input);
 
 /// Judges the steps of an OperationsInput: after each flip or split all mesh rules, the numbers
 /// of elements, and the surface that it should give, whatever the numbering. Stops at the first

@@ -20,16 +20,33 @@ inline void build_mesh(const PolygonMesh& polygons, meshedit::HalfedgeMesh& mesh
   mesh.build(corners, positions);
 }
 
-/// Makes the elements around an edge anchor its half-edges, and the edge the other of its two:
-/// as right as what build() gives, and harder for a solution that forgets an anchor. Only
-/// vertices inside: those on a boundary keep their boundary half-edge, so that this alone is
-/// not what most points of a solution that counts on it depend on. The mesh must be right.
-inline void anchor_on(meshedit::EdgeIter edge) {
-  const meshedit::HalfedgeIter h = edge->halfedge()->twin();
-  edge->halfedge() = h;
-  for (const meshedit::HalfedgeIter& side : {h, h->twin()}) {
+constexpr std::uint32_t kAnchorWays = 6;  ///< of anchor_on()
+
+/// Changes what the elements around an edge anchor: as right as what build() gives, and harder
+/// for a solution that forgets an anchor. Only vertices inside: those on a boundary keep their
+/// boundary half-edge, so that this alone is not what most points of a solution that counts on
+/// it depend on. The mesh must be right.
+///
+/// @param way  the face on each side, and where that starts, anchor the edge's own half-edge (0
+///             and 3), the next one (1, 4) or the one after that (2, 5). Below 3 the edge
+///             anchors the other of its half-edges; from 3 on it stays.
+inline void anchor_on(meshedit::EdgeIter edge, std::uint32_t way = 0) {
+  if (way < kAnchorWays / 2) edge->halfedge() = edge->halfedge()->twin();
+  const meshedit::HalfedgeIter h = edge->halfedge();
+  for (meshedit::HalfedgeIter side : {h, h->twin()}) {
+    for (std::uint32_t i = 0; i < way % 3; ++i)
+      side = side->next();
     side->face()->halfedge() = side;
     if (!side->vertex()->isBoundary()) side->vertex()->halfedge() = side;
+  }
+}
+
+/// Makes each edge anchor the half-edge that starts at the earlier of its ends: so at the last
+/// vertex, whose edges a subdivision meets late, none starts that an edge anchors.
+inline void anchor_from_earlier(meshedit::HalfedgeMesh& mesh) {
+  for (auto e = mesh.edgesBegin(); e != mesh.edgesEnd(); ++e) {
+    const meshedit::HalfedgeIter twin = e->halfedge()->twin();
+    if (twin->vertex() < e->halfedge()->vertex()) e->halfedge() = twin;
   }
 }
 

@@ -313,29 +313,42 @@ std::vector<Outcome> run_together(const Build& build, const std::vector<const Ca
   return std::move(run.outcomes);
 }
 
+/// Runs those of the cases that are marked, and puts their outcomes into their places.
+void run_marked(const Build& build, const std::vector<const Case*>& cases,
+                const std::vector<bool>& marked, const Limits& limits, Company company,
+                std::vector<Outcome>& outcomes) {
+  std::vector<const Case*> chosen;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (marked[i]) chosen.push_back(cases[i]);
+  }
+  if (chosen.empty()) return;
+  std::vector<Outcome> ran = run_together(build, chosen, limits, company);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (marked[i]) outcomes[i] = std::move(ran[next++]);
+  }
+}
+
 }  // namespace
 
 std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
                                const Limits& limits, Company company) {
-  std::vector<const Case*> together;
-  for (const Case* c : cases) {
-    if (!c->fresh) together.push_back(c);
-  }
-  std::vector<Outcome> outcomes;
-  if (!together.empty()) outcomes = run_together(build, together, limits, company);
+  std::vector<Outcome> outcomes(cases.size());
+  std::vector<bool> together(cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    together[i] = !cases[i]->fresh;
+  run_marked(build, cases, together, limits, company, outcomes);
   const std::vector<std::uint32_t> families = families_of(cases);
   std::set<std::uint32_t> given_up;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (!cases[i]->fresh) {
-      if (outcomes[i].ending == Ending::kSkipped) given_up.insert(families[i]);
-      continue;
-    }
-    Outcome outcome;
-    outcome.ending = Ending::kSkipped;
-    if (given_up.count(families[i]) == 0)
-      outcome = run_in_one_worker(build, {cases[i]}, limits, company).outcomes.at(0);
-    outcomes.insert(outcomes.begin() + static_cast<std::ptrdiff_t>(i), std::move(outcome));
+    if (together[i] && outcomes[i].ending == Ending::kSkipped) given_up.insert(families[i]);
   }
+  std::vector<bool> fresh(cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    fresh[i] = cases[i]->fresh && given_up.count(families[i]) == 0;
+    if (cases[i]->fresh) outcomes[i].ending = Ending::kSkipped;
+  }
+  run_marked(build, cases, fresh, limits, Company::kAlone, outcomes);
   return outcomes;
 }
 

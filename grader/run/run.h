@@ -17,9 +17,10 @@ enum class Company { kTogether, kAlone };
 FileDescriptor make_task_file(const std::vector<const Case*>& cases, const Limits& limits,
                               Company company);
 
-/// Runs all cases in one worker, one after the other; a `fresh` one in a worker of its own. A
-/// case that kills the worker loses only itself. What the student's code does is never the
-/// grader's fault: the result has one Outcome for each case, whatever happens.
+/// Runs all cases in one worker, one after the other; `fresh` ones in a second one, each in a
+/// process of its own. A case that kills the worker loses only itself. What the student's code
+/// does is never the grader's fault: the result has one Outcome for each case, whatever
+/// happens.
 ///
 /// Cases of one group that call the same functions are a family. A family that runs out of time
 /// again and again is given up, and the others go on. When one case spoils the run for all, by

@@ -53,7 +53,7 @@ void run_mesh_operations(WireReader& input, Recorder& recorder) {
   for (const Operation& operation : asked.operations) {
     const meshedit::EdgeIter edge = find_edge(mesh, operation);
     if (asked.anchoring == Anchoring::kOnEachEdge && edge != meshedit::EdgeIter())
-      anchor_on(edge);
+      anchor_on(edge, operation.anchors);
     OperationStep step;
     step.edge = dump_handle(mesh, edge);
     recorder.set_state_source([&mesh, step]() mutable {

@@ -11,6 +11,7 @@
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/operation_model.h"
+#include "grader/judge/operations_judge.h"
 #include "grader/run/outcome.h"
 #include "grader/subdivide/opensubdiv_loop.h"
 #include "tests/support/sample_meshes.h"
@@ -26,30 +27,14 @@ inline Ref find_edge(const MeshDump& mesh, Ref a, Ref b) {
   return kUnsetRef;
 }
 
-/// The mesh that the operations begin with.
-inline MeshDump first_mesh(const OperationsInput& input) {
-  meshedit::HalfedgeMesh mesh;
-  build_mesh(input.mesh, mesh);
-  const MeshDump built = dump_mesh(mesh);
-  if (input.anchoring == Anchoring::kAsBuilt || input.anchoring == Anchoring::kOnEachEdge) {
-    return built;
-  }
-  if (input.anchoring == Anchoring::kElsewhere) {
-    anchor_elsewhere(mesh);
-    return dump_mesh(mesh);
-  }
-  const Operation& first = input.operations.at(0);
-  anchor_on(std::next(mesh.edgesBegin(), find_edge(built, first.a, first.b)));
-  return dump_mesh(mesh);
-}
-
 inline std::vector<std::string> right_operations(const OperationsInput& input) {
   std::vector<std::string> steps;
   MeshDump mesh = first_mesh(input);
   for (const Operation& operation : input.operations) {
     OperationStep step;
     step.edge = find_edge(mesh, operation.a, operation.b);
-    if (input.anchoring == Anchoring::kOnEachEdge) model_anchor_on(mesh, step.edge);
+    if (input.anchoring == Anchoring::kOnEachEdge)
+      model_anchor_on(mesh, step.edge, operation.anchors);
     step.returned = step.edge;
     if (operation.kind == OperationKind::kSplit) {
       step.returned = model_split(mesh, step.edge);

@@ -46,7 +46,7 @@ void make_edge_flip_cases(CaseMaker& maker) {
     add_every_edge_elsewhere(maker, "stress", OperationKind::kFlip, file, EdgeChoice::kInner);
   }
   Random moved = maker.random("moved");
-  add_fresh_sequence(maker, "stress", OperationKind::kFlip, "icosahedron.obj", 8, moved);
+  add_fresh_sequences(maker, "stress", OperationKind::kFlip, "icosahedron.obj", 8, moved);
   add_moved_sequences(maker, "stress", OperationKind::kFlip,
                       {"octahedron.off", "cube_crossed.obj", "icosahedron.obj", "grid_4x4.obj"},
                       moved);

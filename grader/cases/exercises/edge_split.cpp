@@ -56,7 +56,7 @@ void make_edge_split_cases(CaseMaker& maker) {
   }
   Random moved = maker.random("moved");
   add_sequence(maker, "stress", "double_torus.obj", 8, 0, moved);
-  add_fresh_sequence(maker, "stress", OperationKind::kSplit, "icosahedron.obj", 8, moved);
+  add_fresh_sequences(maker, "stress", OperationKind::kSplit, "icosahedron.obj", 8, moved);
   add_moved_sequences(maker, "stress", OperationKind::kSplit,
                       {"octahedron.off", "cube_crossed.obj", "icosahedron.obj", "grid_4x4.obj"},
                       moved);

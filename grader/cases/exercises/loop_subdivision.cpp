@@ -25,25 +25,32 @@ void add(CaseMaker& maker, const std::string& group, const std::string& what,
             budget_of(mesh, levels), SubdivisionInput{what, mesh, levels, anchoring});
 }
 
-/// What must not depend on the size, the place and the direction of the mesh.
+/// What must not depend on the size, the place and the direction of the mesh; also not what a
+/// second level finds of the first. The tetrahedron is there for its valence.
 void add_moved(CaseMaker& maker) {
   Random random = maker.random("moved");
   const char* const files[] = {"octahedron.off", "cube.obj", "cube_crossed.obj"};
   const std::string file = files[random.below(3)];
-  const PolygonMesh mesh = shaken(maker.mesh(file), random);
+  const PolygonMesh mesh =
+      shaken(side_by_side(maker.mesh("tetrahedron.obj"), maker.mesh(file)), random);
   for (const MovedMesh& moved : moved_meshes(mesh, {0, 1}))
-    add(maker, "stress", file + ", shaken, " + moved.how, moved.mesh, 1);
+    add(maker, "stress", "tetrahedron.obj and " + file + ", shaken, " + moved.how, moved.mesh,
+        2);
   const PolygonMesh fresh = shaken(maker.mesh("cube.obj"), random);
   maker.add_fresh("stress", "3 levels on cube.obj, shaken, before anything else",
                   budget_of(fresh, 3), SubdivisionInput{"cube.obj, shaken", fresh, 3});
-  add(maker, "stress", "double pyramids with 13 to 24 sides", many_valences(13, 24, random), 1);
+  add(maker, "stress", "double pyramids with 13 to 24 sides",
+      beginning_at_highest_valence(many_valences(13, 24, random)), 1);
+  add(maker, "stress", "a torus of 128 triangles", in_build_order(torus_mesh(8, 8)), 2);
   add(maker, "stress", "an octahedron inside a tetrahedron 1000 times as large",
       two_sizes(maker.mesh("octahedron.off"), maker.mesh("tetrahedron.obj"), random), 1);
   const PolygonMesh fan = shaken(maker.mesh("fan.obj"), random);
   for (const MovedMesh& moved : moved_meshes(fan, {0, 1}))
-    add(maker, "boundary", "fan.obj, shaken, " + moved.how, moved.mesh, 1);
-  add(maker, "boundary", "a fan of 22 triangles", open_fan(22), 1);
+    add(maker, "boundary", "fan.obj, shaken, " + moved.how, moved.mesh, 2);
+  add(maker, "boundary", "a fan of 22 triangles", beginning_at_highest_valence(open_fan(22)),
+      1);
   add(maker, "boundary", "a square of 512 triangles", open_grid(16, random), 1);
+  add(maker, "boundary", "a square of 128 triangles", open_grid(8, random), 2);
   maker.add_fresh("boundary", "3 levels on fan.obj, shaken, before anything else",
                   budget_of(fan, 3), SubdivisionInput{"fan.obj, shaken", fan, 3});
 }
@@ -84,6 +91,10 @@ void make_loop_subdivision_cases(CaseMaker& maker) {
   }
   add(maker, "boundary", "two_triangles.obj, far from the origin",
       moved(maker.mesh("two_triangles.obj"), {3.0, -2.0, 5.0}), 1);
+  add(maker, "stress", "octahedron.off", maker.mesh("octahedron.off"), 1,
+      Anchoring::kFromEarlier);
+  add(maker, "boundary", "grid_4x4.obj", maker.mesh("grid_4x4.obj"), 1,
+      Anchoring::kFromEarlier);
   add(maker, "stress", "two_components.obj", maker.mesh("two_components.obj"), 2);
   add(maker, "stress", "double_torus.obj", maker.mesh("double_torus.obj"), 1);
   add(maker, "stress", "sliver.obj", maker.mesh("sliver.obj"), 1);

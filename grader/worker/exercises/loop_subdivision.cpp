@@ -12,6 +12,7 @@ void run_loop_subdivision(WireReader& input, Recorder& recorder) {
   meshedit::HalfedgeMesh mesh;
   build_mesh(asked.mesh, mesh);
   if (asked.anchoring == Anchoring::kElsewhere) anchor_elsewhere(mesh);
+  if (asked.anchoring == Anchoring::kFromEarlier) anchor_from_earlier(mesh);
   recorder.set_state_source([&mesh] { return to_wire(dump_mesh(mesh)); });
   meshedit::MeshResampler resampler;
   for (std::uint32_t level = 0; level < asked.levels; ++level) {
