@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "grader/app/context.h"
+#include "grader/app/exercise_run.h"
 #include "grader/app/grading.h"
 #include "grader/base/errors.h"
 #include "grader/base/safe_file.h"
@@ -66,6 +67,16 @@ GradeFunction quiet_grading(const Assignment& assignment, const Home& home) {
   };
 }
 
+Pipeline pipeline_of(const Assignment& assignment, const Home& home) {
+  const auto run = [&](const Original& original, const ExerciseRubric& rubric) {
+    const Build build =
+        build_submission(original.submission, home, assignment.limits, BuildKind::kGrading);
+    ExerciseRun ran = run_exercise(assignment, home, {original.submission, build}, rubric);
+    return RightRun{original.name, std::move(ran.cases), std::move(ran.outcomes)};
+  };
+  return {quiet_grading(assignment, home), run};
+}
+
 std::vector<KnownMistake> grade_mistakes(unsigned jobs) {
   const Assignment assignment = strict_assignment();
   const Home home = home_for_many();
@@ -103,7 +114,7 @@ Adequacy measure_standard_adequacy(const AdequacyOptions& options,
   const SurvivorList reviewed =
       read_survivor_list(source_folder() / "tests" / "mutants" / "survivors.toml");
   return measure_adequacy(assignment, find_originals(assignment, options.styles), reviewed,
-                          options, quiet_grading(assignment, home), progress);
+                          options, pipeline_of(assignment, home), progress);
 }
 
 int check_adequacy(const AdequacyOptions& options, const std::string& page) {

@@ -70,6 +70,22 @@ std::vector<Mutant> without_time_limit(const std::vector<MutantResult>& results)
   return mutants;
 }
 
+std::vector<SinglePointers> spoil_single_pointers(const Assignment& assignment,
+                                                  const std::vector<Original>& originals,
+                                                  const AdequacyOptions& options,
+                                                  const Pipeline& pipeline) {
+  std::vector<SinglePointers> all;
+  for (const ExerciseRubric& rubric : assignment.exercises) {
+    if (!find_exercise_judge(rubric).counts_pointers) continue;
+    if (!options.exercise.empty() && rubric.name != options.exercise) continue;
+    for (const Original& original : originals) {
+      all.push_back(judge_single_pointers(rubric, pipeline.run(original, rubric),
+                                          assignment.tolerance, options.seed));
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string reason_of(const Mutant& mutant, const SurvivorList& reviewed) {
@@ -102,7 +118,8 @@ Share functions_named(const Adequacy& adequacy) {
 
 Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Original>& originals,
                           const SurvivorList& reviewed, const AdequacyOptions& options,
-                          const GradeFunction& grade, const JobProgress& progress) {
+                          const Pipeline& pipeline, const JobProgress& progress) {
+  const GradeFunction& grade = pipeline.grade;
   Adequacy adequacy;
   adequacy.options = options;
   adequacy.reviewed = reviewed;
@@ -116,6 +133,7 @@ Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Origin
   adequacy.mutants =
       grade_mutants(assignment, originals, mutants, grade, options.jobs, progress);
   compare_with_list(adequacy, possible);
+  adequacy.single_pointers = spoil_single_pointers(assignment, originals, options, pipeline);
   // make_variant() knows how these two are laid out.
   const std::vector<Original> laid_out(
       originals.begin(), originals.begin() + static_cast<std::ptrdiff_t>(

@@ -2,11 +2,13 @@
 
 // The proof that the grader finds mistakes, says where they are, and refuses no right answer.
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "grader/mutants/mutant_grading.h"
 #include "grader/mutants/right_answers.h"
+#include "grader/mutants/single_pointers.h"
 #include "grader/mutants/survivor_list.h"
 
 namespace meshgrade {
@@ -27,9 +29,10 @@ struct Adequacy {
   std::size_t possible_mutants = 0;  ///< of which `mutants` are all, or drawn
   std::vector<MutantResult> mutants;
   SurvivorList reviewed;
-  std::vector<std::string> unexplained;    ///< survivors that are not in the list
-  std::vector<std::string> outdated;       ///< listed, but killed or not made any more
-  std::vector<std::string> grader_errors;  ///< mutants that the grader itself failed on
+  std::vector<std::string> unexplained;         ///< survivors that are not in the list
+  std::vector<std::string> outdated;            ///< listed, but killed or not made any more
+  std::vector<std::string> grader_errors;       ///< mutants that the grader itself failed on
+  std::vector<SinglePointers> single_pointers;  ///< of each solution's flip and split
   VariantsResult variants;
   DeterminismResult determinism;
 
@@ -57,8 +60,14 @@ struct Share {
 Share pointers_named(const Adequacy& adequacy);
 Share functions_named(const Adequacy& adequacy);
 
+/// How submissions are graded, and how the cases of one exercise are run only.
+struct Pipeline {
+  GradeFunction grade;
+  std::function<RightRun(const Original&, const ExerciseRubric&)> run;
+};
+
 Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Original>& originals,
                           const SurvivorList& reviewed, const AdequacyOptions& options,
-                          const GradeFunction& grade, const JobProgress& progress);
+                          const Pipeline& pipeline, const JobProgress& progress);
 
 }  // namespace meshgrade
