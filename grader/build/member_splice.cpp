@@ -27,14 +27,11 @@ const std::map<std::string, std::string>& open_classes() {
   return files;
 }
 
-/// The names of the classes in the headers of 2017 to 2019.
+/// The files of the two classes that are others in 2017 to 2019.
 const std::map<std::string, std::string>& open_classes_of_2017() {
-  static const std::map<std::string, std::string> files = [] {
-    std::map<std::string, std::string> changed = open_classes();
-    changed["BezierCurve"] = "meshedit_added_curve_2017.h";
-    changed["BezierPatch"] = "meshedit_added_patch_2017.h";
-    return changed;
-  }();
+  static const std::map<std::string, std::string> files{
+      {"BezierCurve", "meshedit_added_curve_2017.h"},
+      {"BezierPatch", "meshedit_added_patch_2017.h"}};
   return files;
 }
 
@@ -151,11 +148,16 @@ std::string meant_by(const MemberUse& use) {
   const auto members = course_members().find(use.class_name);
   if (members == course_members().end()) return {};
   const std::size_t most = use.name.size() < 3 ? 0 : use.name.size() < 8 ? 1 : 2;
+  std::string nearest;
+  std::size_t least = most + 1;
   for (const std::string& known : members->second) {
     const std::string name = known.substr(0, known.find('/'));
-    if (letters_apart(use.name, name) <= most) return name;
+    const std::size_t apart = letters_apart(use.name, name);
+    if (apart >= least) continue;
+    nearest = name;
+    least = apart;
   }
-  return {};
+  return nearest;
 }
 
 /// Whether a file defines both this function and the one of the course that it might be taken
@@ -217,6 +219,42 @@ std::string head_of(const AddedPiece& piece) {
 
 std::string joined_name(const ClassMember& member) {
   return (member.class_name.empty() ? "" : member.class_name + "::") + join(member.names, ", ");
+}
+
+/// How the file of the data begins: with what the course's headers let students use.
+constexpr const char* kDataHead =
+    "#pragma once\n#include <algorithm>\n#include <array>\n#include <cmath>\n"
+    "#include <deque>\n#include <functional>\n#include <list>\n#include <map>\n"
+    "#include <queue>\n#include <set>\n#include <string>\n#include <unordered_map>\n"
+    "#include <unordered_set>\n#include <utility>\n#include <vector>\n"
+    "#include \"dropin/CGL/color.h\"\n#include \"dropin/CGL/matrix3x3.h\"\n"
+    "#include \"dropin/CGL/matrix4x4.h\"\n"
+    "namespace CGL = meshedit;\n"
+    "#ifdef MESHEDIT_ADDED_FUNCTIONS\nusing namespace std;\n#endif\n"
+    "namespace meshedit {\nnamespace added {\nusing namespace std;\n";
+
+/// The pieces as code, by where they belong.
+struct Texts {
+  std::map<std::string, std::string> data;       ///< by class
+  std::map<std::string, std::string> functions;  ///< by class
+  std::string later;
+  std::string free_functions;  ///< their declarations
+};
+
+Texts texts_of(const std::vector<AddedPiece>& pieces) {
+  Texts texts;
+  for (const AddedPiece& piece : pieces) {
+    const std::string text = line_mark(piece) + piece.member.text + "\n";
+    const std::string& class_name = piece.member.class_name;
+    if (piece.later) {
+      texts.later += text;
+      if (class_name.empty()) texts.free_functions += line_mark(piece) + head_of(piece);
+    } else {
+      const bool is_function = piece.member.kind == MemberKind::kFunction;
+      (is_function ? texts.functions : texts.data)[class_name] += text;
+    }
+  }
+  return texts;
 }
 
 }  // namespace
@@ -376,45 +414,26 @@ bool MemberSplice::is_slip(const MemberUse& use) {
 }
 
 std::vector<SourceFile> MemberSplice::files() const {
-  std::map<std::string, std::string> data;
-  std::map<std::string, std::string> functions;
-  std::string later;
-  std::string free_functions;
-  for (const AddedPiece& piece : pieces_) {
-    const std::string text = line_mark(piece) + piece.member.text + "\n";
-    if (piece.later) {
-      later += text;
-      if (piece.member.class_name.empty()) free_functions += line_mark(piece) + head_of(piece);
-    } else {
-      const bool is_function = piece.member.kind == MemberKind::kFunction;
-      (is_function ? functions : data)[piece.member.class_name] += text;
-    }
-  }
-  std::string head =
-      "#pragma once\n#include <algorithm>\n#include <array>\n#include <cmath>\n"
-      "#include <deque>\n#include <functional>\n#include <list>\n#include <map>\n"
-      "#include <queue>\n#include <set>\n#include <string>\n#include <unordered_map>\n"
-      "#include <unordered_set>\n#include <utility>\n#include <vector>\n"
-      "#include \"dropin/CGL/color.h\"\n#include \"dropin/CGL/matrix3x3.h\"\n"
-      "#include \"dropin/CGL/matrix4x4.h\"\n"
-      "namespace CGL = meshedit;\n"
-      "#ifdef MESHEDIT_ADDED_FUNCTIONS\nusing namespace std;\n#endif\n"
-      "namespace meshedit {\nnamespace added {\nusing namespace std;\n";
+  Texts texts = texts_of(pieces_);
+  std::string data = kDataHead;
   std::string bases;
   std::vector<SourceFile> files;
-  const bool old = dialect_ == Dialect::kCourse2017;
-  for (const auto& [class_name, file] : old ? open_classes_of_2017() : open_classes()) {
-    head += "struct DataOf" + class_name + " {\n" + data[class_name] + "};\n";
+  for (const auto& [class_name, file] : open_classes()) {
+    data += "struct DataOf" + class_name + " {\n" + texts.data[class_name] + "};\n";
     bases +=
         "template <> struct Added<" + class_name + "> : added::DataOf" + class_name + " {};\n";
+    const auto old = open_classes_of_2017().find(class_name);
+    const bool is_old = dialect_ == Dialect::kCourse2017 && old != open_classes_of_2017().end();
+    if (is_old) files.push_back({file, ""});
     files.push_back(
-        {file, "#ifdef MESHEDIT_ADDED_FUNCTIONS\n" + functions[class_name] + "\n#endif\n"});
+        {is_old ? old->second : file,
+         "#ifdef MESHEDIT_ADDED_FUNCTIONS\n" + texts.functions[class_name] + "\n#endif\n"});
   }
-  files.push_back({"meshedit_added_data.h", head +
+  files.push_back({"meshedit_added_data.h", data +
                                                 "}  // namespace added\nnamespace detail {\n" +
                                                 bases + "}\n#ifdef MESHEDIT_ADDED_FUNCTIONS\n" +
-                                                free_functions + "#endif\n}\n"});
-  files.push_back({kLater, "#pragma once\nnamespace meshedit {\n" + later + "\n}\n"});
+                                                texts.free_functions + "#endif\n}\n"});
+  files.push_back({kLater, "#pragma once\nnamespace meshedit {\n" + texts.later + "\n}\n"});
   return files;
 }
 
