@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "grader/base/text.h"
+#include "grader/build/member_splice.h"
 #include "grader/build/stand_in.h"
 #include "grader/judge/judge.h"
 #include "grader/run/run.h"
@@ -291,7 +292,10 @@ bool asks_for_boundaries(const Assignment& assignment, const Submission& submiss
   const auto any = [&](const std::vector<SourceFile>& files) {
     return std::any_of(files.begin(), files.end(), asks);
   };
-  return any(submission.sources) || any(submission.headers);
+  // Of the course's own headers only what the student has added to them.
+  const MemberSplice added(submission);
+  return any(submission.sources) || any(submission.headers) ||
+         (!added.empty() && any(added.files()));
 }
 
 }  // namespace

@@ -35,6 +35,10 @@ class SecondRun : public testing::Test {
     submission.name = "test";
     submission.sources = std::move(sources);
     submission.headers = std::move(headers);
+    return loop_of_submission(submission);
+  }
+
+  ExerciseReport loop_of_submission(const Submission& submission) {
     const Report report = grade(read_assignment(standard_assignment()), submission, home_,
                                 {"loop_subdivision"}, [](const auto&) {});
     return report.exercises.at(0);
@@ -273,6 +277,27 @@ TEST_F(SecondRun, GivesTheExtraCreditToWhoAsksForBoundariesInAHeaderOrAMacro) {
   loop.text = macro + loop.text.substr(loop.text.find('\n') + 1);
   const ExerciseReport by_macro = loop_of(files(flip_, split, loop));
   EXPECT_EQ(by_macro.extra_points, by_macro.max_extra_points);
+}
+
+TEST_F(SecondRun, GivesTheExtraCreditToWhoAsksForBoundariesInAMemberOfTheirOwn) {
+  SourceFile loop = loop_;
+  loop.text = "#include \"student_code.h\"\n" +
+              std::regex_replace(loop.text, std::regex("isBoundary"), "onRim");
+  loop.text = std::regex_replace(loop.text, std::regex("boundary"), "rim");
+  ASSERT_EQ(loop.text.find("oundar"), std::string::npos);
+  Submission submission;
+  submission.name = "test";
+  submission.dialect = Dialect::kCourse2020;
+  submission.sources = files(flip_, refusing(split_), loop);
+  std::string header;
+  for (const char* element : {"Halfedge", "Vertex", "Edge", "Face"}) {
+    header += std::string("class ") + element +
+              " {\n public:\n  bool onRim() const { return isBoundary(); }\n};\n";
+  }
+  submission.course_headers = {{"halfEdgeMesh.h", header}};
+  const ExerciseReport report = loop_of_submission(submission);
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_EQ(report.extra_points, report.max_extra_points);
 }
 
 TEST_F(SecondRun, SaysWhenTheFunctionCannotBeTakenOut) {
