@@ -280,7 +280,11 @@ int run(const BatchCommandOptions& options, const Assignment& assignment, const 
       collect_results(roster, assignment, options.exercises, folder.store(),
                       read_late_rule(or_standard_assignment(options.assignment)));
   write_class_files(results, folder.path());
-  if (options.html) write_class_pages(results, folder.path());
+  if (options.html) {
+    if (::isatty(STDERR_FILENO) != 0) std::cerr << "comparing the hand-ins with each other\n";
+    write_class_pages(results, write_similar_page(roster, assignment, folder.path()),
+                      folder.path());
+  }
   return conclude(results, options, complete);
 }
 
@@ -324,7 +328,7 @@ void add_options(CLI::App& command, BatchCommandOptions& options) {
   command.add_option("--only-file", options.only_file,
                      "The same from a file with one name per line");
   command.add_flag("--html", options.html,
-                   "Also write class.html and a page for each student's report");
+                   "Also write class.html, a page for each student's report, and similar.html");
   command.add_flag("--force", options.force, "Grade again what has not changed");
   command.add_flag("--require-sandbox", options.require_sandbox, kRequireSandboxHelp);
   command.add_option("-j,--jobs", options.jobs,

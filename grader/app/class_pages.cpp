@@ -7,10 +7,32 @@
 #include "grader/base/safe_file.h"
 #include "grader/batch/result_store.h"
 #include "grader/report/html_report.h"
+#include "grader/similarity/similarity.h"
+#include "grader/similarity/similarity_page.h"
 
 namespace meshgrade {
+namespace {
 
-void write_class_pages(const ClassResults& results, const std::filesystem::path& folder) {
+constexpr const char* kSimilarPage = "similar.html";
+constexpr std::size_t kPairsSideBySide = 20;
+
+}  // namespace
+
+SimilarHandIns write_similar_page(const Roster& roster, const Assignment& assignment,
+                                  const std::filesystem::path& folder) {
+  std::vector<std::string> notes;  // of what cannot be read the results tell as well
+  SimilarityOptions how;
+  how.rules = assignment.submission;
+  const SharedCode code = read_for_comparison(
+      roster, find_submission(source_folder() / "student_skeleton", assignment.submission), how,
+      notes);
+  const std::vector<SimilarPair> pairs = code.pairs(1);
+  write_file_safely(folder / kSimilarPage, similarity_page(code, pairs, kPairsSideBySide));
+  return {groups_of(pairs, kGroupPercent), pairs.size()};
+}
+
+void write_class_pages(const ClassResults& results, const SimilarHandIns& similar,
+                       const std::filesystem::path& folder) {
   const std::string page = viewer_page();
   const ResultStore store = result_store(folder);
   std::map<std::string, std::string> links;
@@ -24,7 +46,9 @@ void write_class_pages(const ClassResults& results, const std::filesystem::path&
     links[row.key] = file.lexically_relative(folder).generic_string();
   }
   const auto value = nlohmann::ordered_json::parse(to_json(results));
-  write_file_safely(folder / "class.html", class_to_html(value, links, page));
+  const nlohmann::ordered_json alike{
+      {"page", kSimilarPage}, {"groups", similar.groups}, {"percent", kGroupPercent}};
+  write_file_safely(folder / "class.html", class_to_html(value, links, alike, page));
 }
 
 }  // namespace meshgrade

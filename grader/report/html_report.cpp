@@ -60,8 +60,9 @@ std::string to_html(const Report& report, const std::string& page) {
 }
 
 std::string class_to_html(const Json& results, const std::map<std::string, std::string>& links,
-                          const std::string& page) {
-  const Json data{{"kind", "class"}, {"class", results}, {"links", links}};
+                          const Json& similar, const std::string& page) {
+  const Json data{
+      {"kind", "class"}, {"class", results}, {"links", links}, {"similar", similar}};
   return fill_page(page, data, PageAccess::kNone);
 }
 

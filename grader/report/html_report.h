@@ -23,8 +23,10 @@ std::string to_html(const Report& report, const std::string& page);
 ///
 /// @param results  as in the file class.json of a batch
 /// @param links    for each hand-in's key, the page of its report, seen from this page
+/// @param similar  `groups` of keys that share `percent` of their code, and the `page` that
+/// shows it
 std::string class_to_html(const nlohmann::ordered_json& results,
                           const std::map<std::string, std::string>& links,
-                          const std::string& page);
+                          const nlohmann::ordered_json& similar, const std::string& page);
 
 }  // namespace meshgrade

@@ -112,6 +112,8 @@ TEST_F(BatchCommand, PagesShowThePicturesAndTheMeshes) {
   EXPECT_TRUE(says("viewBox=\\\"0 0")) << "a picture";
   EXPECT_TRUE(says("\"scene\":{")) << "the broken mesh";
   EXPECT_THAT(read_whole_file(results_ / "class.html"), HasSubstr("results/ann/report.html"));
+  EXPECT_THAT(read_whole_file(results_ / "class.html"), HasSubstr("similar.html"));
+  EXPECT_THAT(read_whole_file(results_ / "similar.html"), HasSubstr("<html"));
   batch({"-o", results_.string(), "--html"});
   EXPECT_TRUE(read_whole_file(page) == html) << "what is kept stays";
   batch({"-o", results_.string(), "--force"});

@@ -26,7 +26,7 @@ const data = readData();
 if (data.kind === 'report') {
   showReport(app, data.report);
 } else if (data.kind === 'class') {
-  showClass(app, data.class, data.links);
+  showClass(app, data);
 } else if (data.kind === 'picture') {
   showPicture(app, data);
 } else if (data.kind === 'live') {

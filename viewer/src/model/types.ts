@@ -188,10 +188,25 @@ export interface ClassResults {
   left_out: { what: string; why: string }[];
 }
 
+/** Keys of hand-ins that share so much of their code, and the page that shows it side by side. */
+export interface SimilarHandIns {
+  page: string;
+  percent: number;
+  groups: string[][];
+}
+
+export interface ClassPageData {
+  kind: 'class';
+  class: ClassResults;
+  /** The page of each report, by the key of its hand-in. */
+  links: Record<string, string>;
+  similar?: SimilarHandIns;
+}
+
 export type PageData =
   | { kind: 'empty' }
   | { kind: 'report'; report: Report }
-  | { kind: 'class'; class: ClassResults; links: Record<string, string> }
+  | ClassPageData
   | PictureData
   | { kind: 'live'; token: string; start: LiveStart };
 

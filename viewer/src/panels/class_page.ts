@@ -1,7 +1,7 @@
 // A class: how the points are spread, what goes wrong in each exercise, and a table of all.
 
 import { button, el, replace, type Child } from '../dom';
-import type { ClassResults, ClassRow } from '../model/types';
+import type { ClassPageData, ClassResults, ClassRow, SimilarHandIns } from '../model/types';
 import { points, toneOf } from './verdict';
 
 const name = (row: ClassRow): string => row.people.map((p) => p.name || p.id).join(', ') || row.key;
@@ -185,7 +185,19 @@ class ClassTable {
   }
 }
 
-export function showClass(app: HTMLElement, results: ClassResults, links: Record<string, string>): void {
+function similarHandIns(results: ClassResults, similar: SimilarHandIns | undefined): Child {
+  if (!similar) return null;
+  const names = new Map(results.rows.map((row) => [row.key, name(row)]));
+  const { groups, percent } = similar;
+  return el('section', { class: 'exercise similar' },
+    el('div', { class: 'exercise-head' }, el('h2', {}, 'Alike'), el('a', { href: similar.page }, 'All pairs, side by side')),
+    el('p', {}, groups.length === 0
+      ? `No two hand-ins share ${percent} % of their code.`
+      : `Hand-ins that share ${percent} % of their code or more. Look at the code before you say anything.`),
+    groups.length > 0 && el('ul', {}, ...groups.map((group) => el('li', {}, group.map((key) => names.get(key) ?? key).join(', ')))));
+}
+
+export function showClass(app: HTMLElement, { class: results, links, similar }: ClassPageData): void {
   document.title = `${results.assignment}: the class`;
   const table = new ClassTable(results, columnsOf(results, links));
   replace(app, el('main', { class: 'report class-page' },
@@ -193,6 +205,7 @@ export function showClass(app: HTMLElement, results: ClassResults, links: Record
       el('div', {}, el('p', { class: 'eyebrow' }, `${results.rows.length} hand-ins`), el('h1', {}, results.assignment))),
     distribution(results),
     exerciseFailures(results),
+    similarHandIns(results, similar),
     table.element,
     results.left_out.length > 0 && el('section', { class: 'exercise' }, el('h2', {}, 'Left out'),
       el('ul', {}, ...results.left_out.map((o) => el('li', {}, el('span', { class: 'mono' }, o.what), `: ${o.why}`))))));

@@ -23,6 +23,7 @@ export function classData(size) {
     class: { assignment: 'A class', max_points: 100, max_extra_points: 0,
       exercises: worth.map((w) => exercise(w, '', 0)), rows, left_out: [] },
     links: { k5: 'results/k5/report.html' },
+    similar: { page: 'similar.html', percent: 50, groups: [['k3', 'k4']] },
   };
 }
 

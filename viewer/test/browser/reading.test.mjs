@@ -93,6 +93,8 @@ test('A class is read at 360 pixels, and full points have a bar of their own', a
     assert.deepEqual(await smallTexts(page), [], colorScheme);
     assert.deepEqual(await accessibilityProblems(page), [], colorScheme);
   }
+  await page.getByText('Student 3, Student 4').waitFor();
+  assert.equal(await page.getByRole('link', { name: 'All pairs' }).getAttribute('href'), 'similar.html');
   assert.equal(await page.locator('.bin-name').last().textContent(), 'all');
   assert.equal(await page.locator('.bin-name').count(), 11);
   assert.deepEqual(problems, []);
