@@ -16,13 +16,16 @@ struct BundleOptions {
   std::string host;
   std::string output;
   std::string assignment;
+  bool with_program = false;
 };
 
 int bundle(const BundleOptions& options) {
   const std::filesystem::path assignment = or_standard_assignment(options.assignment);
   check_outputs({{"-o", options.output}}, {assignment});
   require_hidden_seed(load_assignment(options.assignment));
-  write_bundle(options.host, source_folder(), assignment, options.output);
+  PackageSource source{source_folder(), assignment};
+  if (options.with_program || !has_sources()) source.program = program_files();
+  write_bundle(options.host, source, options.output);
   std::cout << "wrote " << options.output << "\n";
   return 0;
 }
@@ -47,11 +50,14 @@ void add_bundle_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--assignment", options->assignment,
                       "The assignment to grade (TOML); the standard one if not given");
+  command->add_flag("--with-program", options->with_program,
+                    "Also this program, for Linux on x86-64: nothing is built there");
   command->footer(
       host_list() +
       "Examples:\n"
       "  meshgrade bundle gradescope -o gradescope.zip\n"
       "  meshgrade bundle github -o github.zip --assignment my_assignment.toml\n"
+      "  meshgrade bundle gradescope -o gradescope.zip --with-program\n"
       "docs/autograders.md says what to do with it. All but that for github hold the "
       "reference.\n"
       "Exit code: 0 written, 2 bad usage or a file that cannot be written.");

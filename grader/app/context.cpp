@@ -1,9 +1,13 @@
 #include "grader/app/context.h"
 
 #include <unistd.h>
+
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
+#include "grader/app/installed_home.h"
 #include "grader/base/errors.h"
 #include "grader/cases/own_meshes.h"
 #include "grader/judge/judge.h"
@@ -11,13 +15,16 @@
 
 namespace meshgrade {
 
-std::filesystem::path source_folder() {
-  return MESHGRADE_SOURCE_DIR;
-}
-
 namespace {
 
 namespace fs = std::filesystem;
+
+fs::path find_source_folder() {
+  const char* named = std::getenv("MESHGRADE_HOME");
+  if (named != nullptr && *named != '\0') return named;
+  const fs::path installed = installed_share();
+  return installed.empty() ? MESHGRADE_SOURCE_DIR : installed;
+}
 
 /// A copy that all can read, with the times of the files: the compiler compares those of
 /// precompiled headers.
@@ -35,34 +42,63 @@ void copy_folder(const fs::path& from, const fs::path& to) {
 /// Root's own folders are closed to the users that submissions run as: what those need is then
 /// copied to where they can read it.
 void open_to_submissions(Home& home) {
-  if (::geteuid() != 0 || (is_open_to_others(home.kit / "flags.txt") &&
-                           is_open_to_others(home.include / "meshedit" / "meshedit.h"))) {
-    return;
-  }
-  home.copies = std::make_shared<ScratchFolder>();
-  fs::permissions(home.copies->path(), fs::perms(0755));
-  for (fs::path* folder : {&home.kit, &home.include}) {
+  if (::geteuid() != 0) return;
+  const std::pair<fs::path*, fs::path> needed[] = {
+      {&home.kit, home.kit / "flags.txt"},
+      {&home.include, home.include / "meshedit" / "meshedit.h"}};
+  for (const auto& [folder, file] : needed) {
+    if (is_open_to_others(file)) continue;
+    if (!home.copies) {
+      home.copies = std::make_shared<ScratchFolder>();
+      fs::permissions(home.copies->path(), fs::perms(0755));
+    }
     const fs::path copy = home.copies->path() / folder->filename();
     copy_folder(*folder, copy);
     *folder = copy;
   }
 }
 
+/// The compiler, and the kit that fits it.
+void find_kit(Home& home) {
+  const fs::path installed = installed_share();
+  home.compiler = installed.empty() ? MESHGRADE_COMPILER : installed_compiler();
+  home.kit = MESHGRADE_KIT_DIR;
+  if (installed.empty()) return;
+  ReadyKit kit = ready_kit(installed / "kit", home.include, home.compiler);
+  home.kit = kit.folder;
+  home.own_kit = std::move(kit.scratch);
+}
+
 }  // namespace
+
+std::filesystem::path source_folder() {
+  static const fs::path folder = find_source_folder();
+  return folder;
+}
 
 Home find_home() {
   const fs::path source = source_folder();
   Home home;
   home.include = source / "include";
-  home.kit = MESHGRADE_KIT_DIR;
   home.meshes = source / "meshes";
   home.docs = source / "docs";
   std::error_code ignored;
   if (fs::is_directory(source / "reference", ignored)) home.reference = source / "reference";
-  home.compiler = MESHGRADE_COMPILER;
+  find_kit(home);
   open_to_submissions(home);
   home.sandbox = find_sandbox(home.kit, home.compiler);
   return home;
+}
+
+ProgramFiles program_files() {
+  const fs::path share = installed_share();
+  if (share.empty()) return {"", fs::path(MESHGRADE_KIT_DIR).parent_path()};
+  return {share.parent_path().parent_path(), ""};
+}
+
+bool has_sources() {
+  std::error_code ignored;
+  return fs::exists(source_folder() / "CMakeLists.txt", ignored);
 }
 
 std::string viewer_page() {

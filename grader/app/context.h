@@ -5,14 +5,23 @@
 
 #include "grader/assignment/assignment.h"
 #include "grader/build/home.h"
+#include "grader/package/program_files.h"
 
 namespace meshgrade {
 
-/// Where this program's own files are: next to the sources it was built from.
+/// Where this program's own files are. The first call of an installed program makes its kit
+/// ready (installed_home.h), which takes some seconds.
 Home find_home();
 
-/// The folder that this program was built from.
+/// The folder that holds include/, meshes/, docs/ and the others: $MESHGRADE_HOME, else that of
+/// an installed program, else the one that this program was built from.
 std::filesystem::path source_folder();
+
+/// The running program, to be put into a package.
+ProgramFiles program_files();
+
+/// Whether the sources that a package could build it from are here.
+bool has_sources();
 
 /// The page of the viewer, without data.
 /// @throws GraderError if it cannot be read

@@ -13,6 +13,7 @@
 #include "grader/app/batch_command.h"
 #include "grader/app/bundle_command.h"
 #include "grader/app/check_command.h"
+#include "grader/app/completions_command.h"
 #include "grader/app/dev_check_command.h"
 #include "grader/app/diff_command.h"
 #include "grader/app/doctor_command.h"
@@ -70,10 +71,11 @@ int run(int argc, char** argv) {
   meshgrade::add_bundle_command(app, exit_code);
   meshgrade::add_handout_command(app, exit_code);
   meshgrade::add_doctor_command(app, exit_code);
+  meshgrade::add_completions_command(app, MESHGRADE_VERSION, exit_code);
   meshgrade::add_dev_check_command(app, exit_code);
   app.footer(
       "`meshgrade COMMAND --help` explains a command, with examples.\n"
-      "The script ./meshgrade also knows self-test, bench and fuzz.");
+      "The script ./meshgrade also knows self-test, bench, fuzz and package.");
   require_command(app, argc, argv);
   try {
     app.parse(argc, argv);

@@ -22,7 +22,8 @@ struct Home {
   std::string compiler;                   ///< the C++ compiler for submissions
   Sandbox sandbox;                        ///< in which submissions are compiled and run
   std::shared_ptr<ScratchFolder> copies;  ///< of include and kit, where they must be copied
-  std::size_t cores = 0;                  ///< to use for one submission; 0: all of them
+  std::shared_ptr<ScratchFolder> own_kit = nullptr;  ///< the kit, where it could not be kept
+  std::size_t cores = 0;    ///< to use for one submission; 0: all of them
   bool joins_files = true;  ///< compiles as one what is the same in one; see joining.h
 };
 

@@ -31,54 +31,54 @@ void add_assignment(const fs::path& file, const fs::path& folder) {
 }
 
 /// The grader with the reference, which lets subdivision be judged on its own.
-void add_grader(const fs::path& project, const fs::path& assignment, const fs::path& folder) {
-  std::vector<PackagePart> parts = grader_parts();
+void add_grader(const PackageSource& source, const fs::path& folder) {
+  std::vector<PackagePart> parts = grader_parts(source.project);
   parts.push_back({"reference", "reference"});
   parts.push_back({"docs/exercises", "docs/exercises"});
-  copy_parts(project, parts, folder);
-  add_assignment(assignment, folder / "grader");
+  copy_parts(source.project, parts, folder);
+  add_assignment(source.assignment, folder / "grader");
+  if (!source.program.empty()) copy_program(source.program, folder / "program");
 }
 
 void add_scripts(const fs::path& project, const std::string& host, const fs::path& folder) {
   copy_parts(project, {{(kHosts / host).string(), "."}}, folder);
 }
 
-void fill_gradescope(const fs::path& project, const fs::path& assignment,
-                     const fs::path& folder) {
-  add_scripts(project, "gradescope", folder);
-  add_grader(project, assignment, folder / "meshgrade");
+void fill_gradescope(const PackageSource& source, const fs::path& folder) {
+  add_scripts(source.project, "gradescope", folder);
+  add_grader(source, folder / "meshgrade");
 }
 
 /// Autolab takes two files: they are packed together, to be unpacked before the upload.
-void fill_autolab(const fs::path& project, const fs::path& assignment, const fs::path& folder) {
+void fill_autolab(const PackageSource& source, const fs::path& folder) {
   const ScratchFolder inner;
-  copy_parts(project, {{(kHosts / "autolab" / "grade.sh").string(), "grade.sh"}}, inner.path());
-  add_assignment(assignment, inner.path());
-  add_grader(project, assignment, inner.path() / "meshgrade");
+  copy_parts(source.project, {{(kHosts / "autolab" / "grade.sh").string(), "grade.sh"}},
+             inner.path());
+  add_assignment(source.assignment, inner.path());
+  add_grader(source, inner.path() / "meshgrade");
   write_archive(inner.path(), folder / "autograde.tar");
   const std::string makefile = "autograde-Makefile";
-  copy_parts(project, {{(kHosts / "autolab" / makefile).string(), makefile}}, folder);
+  copy_parts(source.project, {{(kHosts / "autolab" / makefile).string(), makefile}}, folder);
 }
 
 /// All of it is within the students' reach, so it is the handout.
-void fill_github(const fs::path& project, const fs::path& assignment, const fs::path& folder) {
+void fill_github(const PackageSource& source, const fs::path& folder) {
   const fs::path scripts = kHosts / "github";
-  write_handout(project, assignment, folder / ".meshgrade");
-  copy_parts(project,
+  write_handout(source, folder / ".meshgrade");
+  copy_parts(source.project,
              {{(scripts / "grade.sh").string(), ".meshgrade/grade.sh"},
               {(scripts / "meshgrade.yml").string(), ".github/workflows/meshgrade.yml"}},
              folder);
 }
 
-void fill_prairielearn(const fs::path& project, const fs::path& assignment,
-                       const fs::path& folder) {
+void fill_prairielearn(const PackageSource& source, const fs::path& folder) {
   const fs::path scripts = kHosts / "prairielearn";
-  copy_parts(project,
+  copy_parts(source.project,
              {{(scripts / "run.sh").string(), "question/tests/run.sh"},
               {(scripts / "info.json").string(), "question/info.json"},
               {(scripts / "Dockerfile").string(), "image/Dockerfile"}},
              folder);
-  add_grader(project, assignment, folder / "image" / "meshgrade");
+  add_grader(source, folder / "image" / "meshgrade");
 }
 
 }  // namespace
@@ -96,14 +96,13 @@ const std::vector<Host>& hosts() {
   return list;
 }
 
-void write_bundle(const std::string& host, const fs::path& project, const fs::path& assignment,
-                  const fs::path& file) {
+void write_bundle(const std::string& host, const PackageSource& source, const fs::path& file) {
   std::vector<std::string> names;
   for (const Host& known : hosts()) {
     names.emplace_back(known.name);
     if (host != known.name) continue;
     const ScratchFolder folder;
-    known.fill(project, assignment, folder.path());
+    known.fill(source, folder.path());
     write_archive(folder.path(), file);
     return;
   }

@@ -8,11 +8,14 @@
 namespace meshgrade {
 namespace {
 
-std::vector<PackagePart> handout_parts() {
-  std::vector<PackagePart> parts = grader_parts();
+std::vector<PackagePart> handout_parts(const std::filesystem::path& project) {
+  std::vector<PackagePart> parts = grader_parts(project);
   parts.push_back({"student_skeleton", "student_skeleton"});
   // It lies at the top here, too, so that its links hold in both places.
   parts.push_back({"HANDOUT.md", "README.md"});
+  const std::string container = "grader/package/hosts/container/";
+  parts.push_back({container + "Containerfile", "Containerfile"});
+  parts.push_back({container + "devcontainer.json", ".devcontainer/devcontainer.json"});
   for (const char* page :
        {"student.md", "installing.md", "rules.md", "report.md", "report.schema.json",
         "formats.md", "dropin.md", "assignment.md", "exercises", "viewer.md", "loop_rules.md",
@@ -25,18 +28,18 @@ std::vector<PackagePart> handout_parts() {
 
 }  // namespace
 
-void write_handout(const std::filesystem::path& project,
-                   const std::filesystem::path& assignment,
-                   const std::filesystem::path& target) {
-  const Assignment read = read_assignment(assignment);
+void write_handout(const PackageSource& source, const std::filesystem::path& target) {
+  const Assignment read = read_assignment(source.assignment);
   std::vector<std::filesystem::path> secrets;
   if (read.hidden) secrets.push_back(read.hidden->seed_file);
   for (const OwnMesh& mesh : read.own_meshes()) {
     if (mesh.hidden) secrets.push_back(mesh.file);
   }
   make_package_folder(target);
-  copy_parts(project, handout_parts(), target, secrets);
-  copy_parts("", assignment_parts(read, assignment, "grader/assignment.toml", false), target);
+  copy_parts(source.project, handout_parts(source.project), target, secrets);
+  copy_parts("", assignment_parts(read, source.assignment, "grader/assignment.toml", false),
+             target);
+  if (!source.program.empty()) copy_program(source.program, target / "program");
 }
 
 }  // namespace meshgrade

@@ -48,13 +48,14 @@ void copy_folder(const fs::path& from, const fs::path& to,
 
 }  // namespace
 
-std::vector<PackagePart> grader_parts() {
+std::vector<PackagePart> grader_parts(const fs::path& project) {
   std::vector<PackagePart> parts;
   for (const char* part :
-       {"LICENSE", "CMakeLists.txt", "CMakePresets.json", ".gitignore", "cmake", "meshgrade",
-        "include", "grader", "meshes", "viewer/dist"}) {
+       {"LICENSE", "meshgrade", "include", "grader", "meshes", "viewer/dist"})
     parts.push_back({part, part});
-  }
+  if (!fs::exists(project / "CMakeLists.txt")) return parts;
+  for (const char* part : {"CMakeLists.txt", "CMakePresets.json", ".gitignore", "cmake"})
+    parts.push_back({part, part});
   return parts;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grader/assignment/assignment.h"
+#include "grader/package/program_files.h"
 
 namespace meshgrade {
 
@@ -14,9 +15,16 @@ struct PackagePart {
   std::string to;
 };
 
+/// What a package is made of.
+struct PackageSource {
+  std::filesystem::path project;     ///< the folder that holds include/, meshes/ and the others
+  std::filesystem::path assignment;  ///< the file that the package's grader reads
+  ProgramFiles program = {};         ///< comes along, so that nothing has to be built
+};
+
 /// What any package needs that grades: the script, the sources of the grader, the shared
-/// headers, the visible meshes, the skeleton, the licence.
-std::vector<PackagePart> grader_parts();
+/// headers, the visible meshes, the licence. An installed program has no sources to give.
+std::vector<PackagePart> grader_parts(const std::filesystem::path& project);
 
 /// Makes a folder for a package.
 /// @throws UserError if it is there already and not empty, or cannot be made

@@ -36,7 +36,7 @@ class Bundle : public testing::Test {
   /// Unpacks as hosts do that keep no permissions.
   void unpack(const std::string& host, const fs::path& folder) const {
     const fs::path file = scratch_.path() / (host + ".zip");
-    write_bundle(host, kProject, kAssignment, file);
+    write_bundle(host, {kProject, kAssignment}, file);
     fs::create_directories(folder);
     unpack_archive(file, folder,
                    {std::uint64_t{1} << 30U, std::uint64_t{1} << 28U, 10'000, 30});
@@ -170,7 +170,7 @@ TEST_F(Bundle, HoldsTheSeedOfHiddenCasesOnlyWhereStudentsCannotLook) {
   write_file_safely(folder / "the_seed", "4711\n");
   for (const std::string host : {"gradescope", "github"}) {
     const fs::path file = scratch_.path() / (host + ".tar");
-    write_bundle(host, kProject, assignment, file);
+    write_bundle(host, {kProject, assignment}, file);
     EXPECT_EQ(read_whole_file(file).find("the_seed", 0) == std::string::npos, false);
     const bool holds = read_whole_file(file).find("4711\n") != std::string::npos;
     EXPECT_EQ(holds, host == "gradescope") << host;
@@ -180,18 +180,18 @@ TEST_F(Bundle, HoldsTheSeedOfHiddenCasesOnlyWhereStudentsCannotLook) {
 TEST_F(Bundle, IsTheSameBytesEachTime) {
   const fs::path first = scratch_.path() / "a.zip";
   const fs::path second = scratch_.path() / "b.zip";
-  write_bundle("gradescope", kProject, kAssignment, first);
-  write_bundle("gradescope", kProject, kAssignment, second);
+  write_bundle("gradescope", {kProject, kAssignment}, first);
+  write_bundle("gradescope", {kProject, kAssignment}, second);
   EXPECT_EQ(read_whole_file(first), read_whole_file(second));
 }
 
 TEST_F(Bundle, RefusesAnUnknownHostAndAnUnknownKindOfFile) {
-  EXPECT_THROW(write_bundle("moodle", kProject, kAssignment, scratch_.path() / "a.zip"),
+  EXPECT_THROW(write_bundle("moodle", {kProject, kAssignment}, scratch_.path() / "a.zip"),
                UserError);
-  EXPECT_THROW(write_bundle("github", kProject, kAssignment, scratch_.path() / "a.rar"),
+  EXPECT_THROW(write_bundle("github", {kProject, kAssignment}, scratch_.path() / "a.rar"),
                UserError);
   EXPECT_THROW(
-      write_bundle("github", kProject, kAssignment, scratch_.path() / "nowhere" / "a.zip"),
+      write_bundle("github", {kProject, kAssignment}, scratch_.path() / "nowhere" / "a.zip"),
       UserError);
 }
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "grader/base/errors.h"
@@ -62,7 +63,7 @@ std::set<std::string> solution_lines() {
 class Handout : public testing::Test {
  protected:
   Handout() : folder_(scratch_.path() / "handout") {
-    write_handout(kProject, kAssignment, folder_);
+    write_handout({kProject, kAssignment}, folder_);
   }
 
   std::map<std::string, std::string> files() const {
@@ -93,6 +94,14 @@ TEST_F(Handout, HoldsNeitherReferenceNorTestsNorInstructorsPages) {
                              "docs/instructor", "docs/maintainer"})
       EXPECT_NE(file.rfind(room, 0), 0U) << file;
   }
+}
+
+TEST_F(Handout, OpensInAContainer) {
+  const auto container =
+      nlohmann::json::parse(read(folder_ / ".devcontainer" / "devcontainer.json"));
+  EXPECT_EQ(container.at("postCreateCommand"), "./meshgrade doctor");
+  EXPECT_NE(read(folder_ / "Containerfile").find("RUN /opt/meshgrade/meshgrade doctor"),
+            std::string::npos);
 }
 
 TEST_F(Handout, HasEveryFileThatTheBuildNeeds) {
@@ -137,7 +146,7 @@ TEST_F(Handout, LeavesTheSeedOfHiddenCasesBehindWhereverItLies) {
     fs::copy_file(kProject / "HANDOUT.md", project / "HANDOUT.md",
                   fs::copy_options::overwrite_existing);
     const fs::path target = scratch_.path() / fs::path(seed).parent_path().filename();
-    write_handout(project, file, target);
+    write_handout({project, file}, target);
     EXPECT_TRUE(fs::exists(target / "grader" / "judge"));
     EXPECT_NE(read(target / "grader" / "assignment.toml").find(seed), std::string::npos);
     EXPECT_FALSE(fs::exists(target / seed));
@@ -156,7 +165,7 @@ TEST_F(Handout, HasTheInstructorsMeshesButNotTheHiddenOnes) {
          "[[exercise.group.mesh]]\nfile = \"ours/seen.obj\"\n"
          "[[exercise.group.mesh]]\nfile = \"ours/secret.obj\"\nhidden = true\n";
   const fs::path target = scratch_.path() / "with_meshes";
-  write_handout(kProject, course / "a.toml", target);
+  write_handout({kProject, course / "a.toml"}, target);
   EXPECT_TRUE(fs::exists(target / "grader" / "ours" / "seen.obj"));
   EXPECT_FALSE(fs::exists(target / "grader" / "ours" / "secret.obj"));
   const Assignment read = read_assignment(target / "grader" / "assignment.toml");
@@ -169,7 +178,7 @@ TEST_F(Handout, HasTheInstructorsMeshesButNotTheHiddenOnes) {
 
 TEST_F(Handout, IsNotWrittenOverAFolderWithFiles) {
   try {
-    write_handout(kProject, kAssignment, folder_);
+    write_handout({kProject, kAssignment}, folder_);
     FAIL() << "no error";
   } catch (const UserError& error) {
     EXPECT_THAT(error.what(), HasSubstr("is not empty"));

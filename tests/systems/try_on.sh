@@ -7,6 +7,8 @@
 #   try_on.sh SUITE --uncommitted         with what is not committed yet
 #   try_on.sh SUITE --again               in the system as the last try left it, builds and all
 #   try_on.sh SUITE COMMAND...            only this command, as root, in the project's folder
+#   try_on.sh SUITE --archive FILE        the archive of `./meshgrade package`, in a bare system with
+#                                         a compiler: unpacked and used by an ordinary user
 #
 # SUITE is a name such as trixie or forky. Takes root, a Debian or Ubuntu, and some 5 GB below
 # $MESHGRADE_SYSTEMS (build/systems if not set); packages come from this machine's own mirror.
@@ -23,9 +25,14 @@ case $suite in
   '' | *[!a-z]*) stop 2 "which Debian? For example: tests/systems/try_on.sh trixie" ;;
 esac
 shift
-commit=committed again=
+commit=committed again='' archive=''
 while :; do
   case ${1-} in
+    --archive)
+      archive=${2-}
+      [ -f "$archive" ] || stop 2 "there is no archive \"$archive\""
+      shift
+      ;;
     --uncommitted) commit=uncommitted ;;
     --again) again=yes ;;
     -*) stop 2 "there is no option $1" ;;
@@ -166,8 +173,36 @@ if ! [ -d "$bare" ]; then
     stop 4 "not tried: this machine's package mirror does not have it, or cannot be reached"
   step "a bare system" make_bare || exit 1
 fi
+# The archive is tried in a system of its own: that in which the sources are built has more.
+[ -z "$archive" ] || system=$home/system_with_compiler
 step "its copy" take_system || exit 1
 take_network_settings
+if [ -n "$archive" ]; then
+  place=/
+  cp "$archive" "$system/home/student/program.tar.gz"
+  step "a compiler" inside root bash -c "apt-get update &&
+    DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends g++" || exit 1
+  step "unpacking, as an ordinary user" inside student bash -c \
+    "rm -rf program homework .cache && mkdir program &&
+     tar -xzf program.tar.gz -C program --strip-components=1" || exit 1
+  step "the first verdict" inside student bash -c \
+    "cp -r program/share/meshgrade/reference homework && program/bin/meshgrade check homework" ||
+    exit 1
+  step "the next one" inside student program/bin/meshgrade check homework || exit 1
+  # shellcheck disable=SC2016  # the inner shell expands these
+  step "a handout with it, as root" inside root bash -c '
+    rm -rf /opt/handout && cd /opt && /home/student/program/bin/meshgrade handout -o handout &&
+    handout/meshgrade doctor && handout/meshgrade check handout/student_skeleton >said
+    cat said && grep -q "0 / 100" said && ! [ -e handout/build ]' || exit 1
+  step "the set-up of a Gradescope autograder" inside root bash -c '
+    rm -rf /autograder && mkdir -p /autograder/source /autograder/submission /autograder/results &&
+    cd /autograder && /home/student/program/bin/meshgrade bundle gradescope -o /tmp/bundle.tar &&
+    tar -xf /tmp/bundle.tar -C source && mv source/run_autograder . && bash source/setup.sh' || exit 1
+  step "what it says of a submission" inside root bash -c '
+    cd /autograder && cp -r /home/student/homework/. submission && ./run_autograder &&
+    cat results/results.json && grep -q "\"output_format\"" results/results.json'
+  exit
+fi
 step "the project's sources" take_project || exit 1
 
 if [ $# -gt 0 ]; then

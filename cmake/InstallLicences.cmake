@@ -1,0 +1,25 @@
+# Run while installing: the licences of the libraries that come along, as their packages state
+# them, and of those that are compiled into the program. Where there is no dpkg, the names of the
+# libraries are all that is known.
+set(licences "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/${MESHGRADE_LICENCES}")
+file(MAKE_DIRECTORY "${licences}")
+file(GLOB libraries "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/${MESHGRADE_LIBRARIES}/*.so*")
+set(packages libopenmesh-dev libosd-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev
+             libtomlplusplus-dev libcpp-httplib-dev libseccomp-dev libc6-dev)
+find_program(DPKG_QUERY dpkg-query)
+foreach(library IN LISTS libraries)
+  get_filename_component(name "${library}" NAME)
+  if(DPKG_QUERY)
+    execute_process(COMMAND "${DPKG_QUERY}" --search "*/${name}" OUTPUT_VARIABLE found ERROR_QUIET)
+    string(REGEX MATCH "^[^:, \n]+" package "${found}")
+    list(APPEND packages ${package})
+  endif()
+endforeach()
+list(REMOVE_DUPLICATES packages)
+foreach(package IN LISTS packages)
+  set(copyright "/usr/share/doc/${package}/copyright")
+  if(EXISTS "${copyright}")
+    file(READ "${copyright}" text)
+    file(WRITE "${licences}/${package}.txt" "${text}")
+  endif()
+endforeach()
