@@ -18,8 +18,8 @@ constexpr std::size_t kPairsSideBySide = 20;
 
 }  // namespace
 
-SimilarHandIns write_similar_page(const Roster& roster, const Assignment& assignment,
-                                  const std::filesystem::path& folder) {
+SimilarGroups write_similar_page(const Roster& roster, const Assignment& assignment,
+                                 const std::filesystem::path& folder) {
   std::vector<std::string> notes;  // of what cannot be read the results tell as well
   SimilarityOptions how;
   how.rules = assignment.submission;
@@ -28,10 +28,10 @@ SimilarHandIns write_similar_page(const Roster& roster, const Assignment& assign
       notes);
   const std::vector<SimilarPair> pairs = code.pairs(1);
   write_file_safely(folder / kSimilarPage, similarity_page(code, pairs, kPairsSideBySide));
-  return {groups_of(pairs, kGroupPercent), pairs.size()};
+  return groups_of(pairs, kGroupPercent);
 }
 
-void write_class_pages(const ClassResults& results, const SimilarHandIns& similar,
+void write_class_pages(const ClassResults& results, const SimilarGroups& similar,
                        const std::filesystem::path& folder) {
   const std::string page = viewer_page();
   const ResultStore store = result_store(folder);
@@ -47,7 +47,7 @@ void write_class_pages(const ClassResults& results, const SimilarHandIns& simila
   }
   const auto value = nlohmann::ordered_json::parse(to_json(results));
   const nlohmann::ordered_json alike{
-      {"page", kSimilarPage}, {"groups", similar.groups}, {"percent", kGroupPercent}};
+      {"page", kSimilarPage}, {"groups", similar}, {"percent", kGroupPercent}};
   write_file_safely(folder / "class.html", class_to_html(value, links, alike, page));
 }
 

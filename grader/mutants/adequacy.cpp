@@ -40,8 +40,9 @@ void keep_exercise(std::vector<Mutant>& mutants, const std::string& exercise) {
   std::erase_if(mutants, [&](const Mutant& mutant) { return mutant.exercise != exercise; });
 }
 
-/// `possible`: the ids of all mutants, graded or not.
-void compare_with_list(Adequacy& adequacy, const std::set<std::string>& possible) {
+/// `possible`: the ids of all mutants of these solutions, graded or not.
+void compare_with_list(Adequacy& adequacy, const std::vector<Original>& originals,
+                       const std::set<std::string>& possible) {
   for (const MutantResult& result : adequacy.mutants) {
     const std::string id = result.mutant.id();
     if (result.fate == Fate::kGraderFailed) {
@@ -55,7 +56,10 @@ void compare_with_list(Adequacy& adequacy, const std::set<std::string>& possible
     if (listed && !survived) adequacy.outdated.push_back(id);
   }
   for (const auto& [id, reason] : adequacy.reviewed) {
-    if (possible.count(id) == 0) adequacy.outdated.push_back(id);
+    const bool is_of_these = std::any_of(
+        originals.begin(), originals.end(),
+        [&](const Original& original) { return id.rfind(original.name + "/", 0) == 0; });
+    if (is_of_these && possible.count(id) == 0) adequacy.outdated.push_back(id);
   }
 }
 
@@ -132,7 +136,7 @@ Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Origin
   mutants = draw(std::move(mutants), options.mutants, Random(options.seed, "mutants"));
   adequacy.mutants =
       grade_mutants(assignment, originals, mutants, grade, options.jobs, progress);
-  compare_with_list(adequacy, possible);
+  compare_with_list(adequacy, originals, possible);
   adequacy.single_pointers = spoil_single_pointers(assignment, originals, options, pipeline);
   // make_variant() knows how these two are laid out.
   const std::vector<Original> laid_out(

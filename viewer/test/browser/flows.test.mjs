@@ -6,7 +6,7 @@ import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import http from 'node:http';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { Viewer, accessibilityProblems, homework, openPage, program, scratch, snap } from './harness.mjs';
+import { Viewer, accessibilityProblems, homework, openPage, program, scratch, snap, source } from './harness.mjs';
 import { classData, classFile } from './made_class.mjs';
 
 test('A report opens from a file, shows the first failure and asks for nothing', async () => {
