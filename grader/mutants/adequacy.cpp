@@ -79,6 +79,7 @@ std::vector<SinglePointers> spoil_single_pointers(const Assignment& assignment,
                                                   const AdequacyOptions& options,
                                                   const Pipeline& pipeline) {
   std::vector<SinglePointers> all;
+  if (!options.single_pointers) return all;
   for (const ExerciseRubric& rubric : assignment.exercises) {
     if (!find_exercise_judge(rubric).counts_pointers) continue;
     if (!options.exercise.empty() && rubric.name != options.exercise) continue;

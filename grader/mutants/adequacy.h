@@ -21,6 +21,7 @@ struct AdequacyOptions {
   unsigned jobs = 2;
   std::string exercise;             ///< only this one; empty: all
   std::vector<std::string> styles;  ///< names of the solutions to change; empty: all
+  bool single_pointers = true;      ///< whether they are run, and spoiled in one pointer each
 };
 
 struct Adequacy {

@@ -13,6 +13,7 @@ AdequacyOptions nothing() {
   options.mutants = 1;
   options.variants = 0;
   options.repeated = 0;
+  options.single_pointers = false;
   return options;
 }
 
@@ -49,6 +50,20 @@ TEST(Adequacy, TheSameSubmissionGivesTheSameBytesAloneAndBesideOthers) {
   const Adequacy adequacy = measure(options);
   EXPECT_GT(adequacy.determinism.submissions, 0U);
   EXPECT_EQ(adequacy.determinism.differing, std::vector<std::string>());
+}
+
+TEST(SinglePointers, AreListedAloneAndNamedFirst) {
+  AdequacyOptions options = nothing();
+  options.single_pointers = true;
+  options.exercise = "edge_split";
+  options.styles = {"turned"};
+  const Adequacy adequacy = measure(options);
+  ASSERT_EQ(adequacy.single_pointers.size(), 1U);
+  const SinglePointers& sums = adequacy.single_pointers[0];
+  EXPECT_EQ(sums.solution, "turned");
+  EXPECT_GT(sums.tried, 1000U);
+  EXPECT_GE(100 * sums.alone, 99 * sums.tried);
+  EXPECT_GE(100 * sums.first, 95 * sums.tried);
 }
 
 MutantResult with_points(double whole, double parts, std::size_t wrong_pointers) {
