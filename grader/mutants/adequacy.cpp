@@ -55,7 +55,8 @@ void compare_with_list(Adequacy& adequacy, const std::vector<Original>& original
     if (survived && !explained) adequacy.unexplained.push_back(id);
     if (listed && !survived) adequacy.outdated.push_back(id);
   }
-  for (const auto& [id, reason] : adequacy.reviewed) {
+  for (const auto& entry : adequacy.reviewed) {
+    const std::string& id = entry.first;
     const bool is_of_these = std::any_of(
         originals.begin(), originals.end(),
         [&](const Original& original) { return id.rfind(original.name + "/", 0) == 0; });
