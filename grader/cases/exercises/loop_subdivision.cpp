@@ -39,6 +39,14 @@ void add_moved(CaseMaker& maker) {
   const PolygonMesh fresh = shaken(maker.mesh("cube.obj"), random);
   maker.add_fresh("stress", "3 levels on cube.obj, shaken, before anything else",
                   budget_of(fresh, 3), SubdivisionInput{"cube.obj, shaken", fresh, 3});
+  const PolygonMesh alone = shaken(maker.mesh("octahedron.off"), random);
+  for (const Anchoring anchoring : {Anchoring::kElsewhere, Anchoring::kFromEarlier}) {
+    maker.add_fresh("stress",
+                    "1 level on octahedron.off, shaken, before anything else" +
+                        std::string(anchoring_text(anchoring)),
+                    budget_of(alone, 1),
+                    SubdivisionInput{"octahedron.off, shaken", alone, 1, anchoring});
+  }
   add(maker, "stress", "double pyramids with 13 to 24 sides",
       beginning_at_highest_valence(many_valences(13, 24, random)), 1);
   add(maker, "stress", "a torus of 128 triangles", in_build_order(torus_mesh(8, 8)), 2);
