@@ -121,6 +121,23 @@ std::vector<Operation> draw_boundary_splits(const PolygonMesh& mesh,
   return operations;
 }
 
+/// Splits both boundary edges at the vertex in the middle of a fan, with each way to anchor
+/// them.
+void add_splits_at_hub(CaseMaker& maker, const std::string& group, const PolygonMesh& fan) {
+  const auto last = static_cast<std::uint32_t>(fan.positions.size() - 1);
+  for (std::uint32_t way = 0; way < kAnchorWays; ++way) {
+    add_operations(
+        maker, group,
+        "split both boundary edges at the vertex in the middle of a fan of 22 "
+        "triangles (" +
+            std::to_string(way + 1) + ")",
+        {"a fan of 22 triangles",
+         fan,
+         Anchoring::kOnEachEdge,
+         {{OperationKind::kSplit, 0, 1, way}, {OperationKind::kSplit, 0, last, way}}});
+  }
+}
+
 }  // namespace
 
 const char* verb(OperationKind kind) {
@@ -188,19 +205,7 @@ void add_more_boundary_splits(CaseMaker& maker, const std::string& group, Random
   }
   const PolygonMesh wide = open_fan(22);
   add("a fan of 22 triangles", wide, {{OperationKind::kSplit, 0, 1}});
-  // Its two boundary edges at the vertex in the middle, each way to anchor them.
-  const auto last = static_cast<std::uint32_t>(wide.positions.size() - 1);
-  for (std::uint32_t way = 0; way < kAnchorWays; ++way) {
-    add_operations(
-        maker, group,
-        "split both boundary edges at the vertex in the middle of a fan of 22 "
-        "triangles (" +
-            std::to_string(way + 1) + ")",
-        {"a fan of 22 triangles",
-         wide,
-         Anchoring::kOnEachEdge,
-         {{OperationKind::kSplit, 0, 1, way}, {OperationKind::kSplit, 0, last, way}}});
-  }
+  add_splits_at_hub(maker, group, wide);
   const PolygonMesh large = open_grid(16, random);
   add("a square of 512 triangles", large, {});
   const PolygonMesh grid = shaken(maker.mesh("grid_4x4.obj"), random);
