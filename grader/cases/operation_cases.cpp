@@ -62,11 +62,9 @@ std::vector<Operation> anchored(std::vector<Operation> operations, std::uint32_t
 }
 
 /// The same at a boundary, where two of three operations count: these have all ways in turn.
-std::vector<Operation> anchored_at_boundary(std::vector<Operation> operations,
-                                            std::uint32_t first = 0) {
-  for (std::size_t i = 0; i < operations.size(); ++i) {
-    operations[i].anchors = (first + static_cast<std::uint32_t>(i - i / 3)) % kAnchorWays;
-  }
+std::vector<Operation> anchored_at_boundary(std::vector<Operation> operations) {
+  for (std::size_t i = 0; i < operations.size(); ++i)
+    operations[i].anchors = static_cast<std::uint32_t>(i - i / 3) % kAnchorWays;
   return operations;
 }
 
