@@ -121,7 +121,7 @@ int check_adequacy(const AdequacyOptions& options, const std::string& page) {
   const Adequacy adequacy = measure_standard_adequacy(options, show_progress);
   std::cout << to_summary(adequacy);
   const bool tells_enough =
-      adequacy.mutants.size() >= kMutantsOfAPage && options.exercise.empty();
+      (options.mutants == 0 || options.mutants >= kMutantsOfAPage) && options.exercise.empty();
   if (tells_enough || !page.empty()) {
     const std::filesystem::path file =
         page.empty() ? adequacy_page() : std::filesystem::path(page);

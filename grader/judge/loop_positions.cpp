@@ -8,90 +8,13 @@
 #include <utility>
 
 #include "grader/base/text.h"
+#include "grader/judge/loop_divisions.h"
+#include "grader/judge/loop_neighbourhoods.h"
 
 namespace meshgrade {
 namespace {
 
 constexpr const char* kRulesMixed = "rules-mixed";
-
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-void add(Point3& sum, const Point3& p, double weight) {
-  for (std::size_t i = 0; i < 3; ++i)
-    sum[i] += weight * p[i];
-}
-
-/// Who is next to whom in the mesh before the step.
-class Neighbourhoods {
- public:
-  explicit Neighbourhoods(const PolygonMesh& mesh)
-      : positions(mesh.positions),
-        neighbours(mesh.positions.size()),
-        on_boundary(mesh.positions.size(), false) {
-    for (const auto& t : mesh.polygons) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        opposite_[std::minmax(t[i], t[(i + 1) % 3])].push_back(t[(i + 2) % 3]);
-      }
-    }
-    for (const auto& [edge, opposite] : opposite_) {
-      neighbours[edge.first].push_back(edge.second);
-      neighbours[edge.second].push_back(edge.first);
-      if (opposite.size() > 1) continue;
-      on_boundary[edge.first] = on_boundary[edge.second] = true;
-    }
-  }
-
-  const std::vector<std::uint32_t>& opposite(const Origin& edge) const {
-    return opposite_.at(std::minmax(edge.a, edge.b));
-  }
-
-  /// (1 - n u) v + u (sum of the neighbours), from these positions.
-  Point3 smoothed(std::uint32_t v, double n, double u, const std::vector<Point3>& from) const {
-    Point3 sum{};
-    add(sum, from[v], 1.0 - n * u);
-    for (std::uint32_t w : neighbours[v])
-      add(sum, from[w], u);
-    return sum;
-  }
-
-  /// 3/4 v + 1/8 (the two neighbours along the boundary), from these positions.
-  Point3 smoothed_on_boundary(std::uint32_t v, const std::vector<Point3>& from) const {
-    Point3 sum{};
-    add(sum, from[v], 0.75);
-    for (std::uint32_t w : neighbours[v]) {
-      if (opposite({v, w}).size() == 1) add(sum, from[w], 0.125);
-    }
-    return sum;
-  }
-
-  /// 3/4 v + 1/8 (every neighbour on a boundary), whether or not the edge to it lies there.
-  Point3 smoothed_by_boundary_vertices(std::uint32_t v) const {
-    Point3 sum{};
-    add(sum, positions[v], 0.75);
-    for (std::uint32_t w : neighbours[v]) {
-      if (on_boundary[w]) add(sum, positions[w], 0.125);
-    }
-    return sum;
-  }
-
-  /// Weights for the ends of an edge and for the vertices opposite, from these positions.
-  Point3 edge_point(const Origin& edge, double ends, double opposites,
-                    const std::vector<Point3>& from) const {
-    Point3 sum{};
-    add(sum, from[edge.a], ends);
-    add(sum, from[edge.b], ends);
-    for (std::uint32_t v : opposite(edge))
-      add(sum, from[v], opposites);
-    return sum;
-  }
-
-  std::vector<Point3> positions;
-  std::vector<std::vector<std::uint32_t>> neighbours;
-  std::vector<bool> on_boundary;
-
- private:
-  std::map<Edge, std::vector<std::uint32_t>> opposite_;
-};
 
 /// Weights that are tuned for valences from 3 to 12: Barthe and Kobbelt, "Subdivision scheme
 /// tuning around extraordinary vertices", Computer Aided Geometric Design 21, 2004, with the
@@ -194,10 +117,6 @@ class PositionPredictor {
     });
     const PointOf zero = [](const Origin&) { return Point3{}; };
     add("new-position-not-set", nullptr, zero);
-    add("integer-division", nullptr, zero);
-    add("integer-division", old_in_place_inside(), zero);
-    add("integer-division", old_in_place_inside(),
-        [this, zero](const Origin& e) { return is_inside(e) ? Point3{} : midpoint(e); });
     add("not-moved", old_in_place(), halves);
   }
 
@@ -297,8 +216,8 @@ class PositionPredictor {
     const double opposites = tuned.opposite[k - 3];
     const double irregular = tuned.irregular[k - 3];
     Point3 sum = near_.edge_point(e, 0.0, opposites, near_.positions);
-    meshgrade::add(sum, near_.positions[other], irregular);
-    meshgrade::add(sum, near_.positions[regular], 1.0 - irregular - 2.0 * opposites);
+    add_weighted(sum, near_.positions[other], irregular);
+    add_weighted(sum, near_.positions[regular], 1.0 - irregular - 2.0 * opposites);
     return sum;
   }
 
@@ -308,10 +227,10 @@ class PositionPredictor {
       if (near_.on_boundary[v.a]) return right_place(v.a);
       const double u = weight(v.a);
       Point3 sum{};
-      meshgrade::add(sum, near_.positions[v.a],
-                     1.0 - u * static_cast<double>(near_.neighbours[v.a].size()));
+      add_weighted(sum, near_.positions[v.a],
+                   1.0 - u * static_cast<double>(near_.neighbours[v.a].size()));
       for (std::uint32_t w : near_.neighbours[v.a])
-        meshgrade::add(sum, place_of_edge({v.a, w}), u);
+        add_weighted(sum, place_of_edge({v.a, w}), u);
       return sum;
     };
   }
@@ -354,7 +273,7 @@ class PositionPredictor {
   Neighbourhoods near_;
   const RightPositions* right_ = nullptr;
   std::map<std::uint32_t, std::size_t> place_of_old_;
-  std::map<Edge, std::size_t> place_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> place_;
   std::vector<Prediction<Point3>> predictions_;
 };
 
@@ -407,6 +326,11 @@ Misconceptions recognize_positions(const RefinedStep& step, const std::vector<Po
   const auto predictions = PositionPredictor(step).predict();
   for (const Misconception& m : recognize(known, predictions, actual, allowed))
     likely.push_back(m);
+  for (const Misconception& m : recognize_divisions(step, actual, allowed)) {
+    const bool whole_weights =
+        holds(likely, "integer-weight") || holds(likely, "integer-three-sixteenths");
+    if (!whole_weights) likely.push_back(m);
+  }
   return likely;
 }
 

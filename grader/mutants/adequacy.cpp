@@ -1,6 +1,7 @@
 #include "grader/mutants/adequacy.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "grader/base/random.h"
@@ -75,6 +76,18 @@ std::vector<Mutant> without_time_limit(const std::vector<MutantResult>& results)
   return mutants;
 }
 
+/// Those that are drawn; where single pointers are looked at, those that set just one wrong, too.
+std::vector<Mutant> choose(const std::vector<Mutant>& mutants, const AdequacyOptions& options) {
+  std::vector<Mutant> chosen = draw(mutants, options.mutants, Random(options.seed, "mutants"));
+  if (!options.single_pointers) return chosen;
+  const std::set<std::string> drawn = ids_of(chosen);
+  std::copy_if(mutants.begin(), mutants.end(), std::back_inserter(chosen),
+               [&](const Mutant& mutant) {
+                 return drawn.count(mutant.id()) == 0 && wrong_pointers(mutant).size() == 1;
+               });
+  return chosen;
+}
+
 std::vector<SinglePointers> spoil_single_pointers(const Assignment& assignment,
                                                   const std::vector<Original>& originals,
                                                   const AdequacyOptions& options,
@@ -135,9 +148,8 @@ Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Origin
   const std::set<std::string> possible = ids_of(mutants);
   if (!options.exercise.empty()) keep_exercise(mutants, options.exercise);
   adequacy.possible_mutants = mutants.size();
-  mutants = draw(std::move(mutants), options.mutants, Random(options.seed, "mutants"));
-  adequacy.mutants =
-      grade_mutants(assignment, originals, mutants, grade, options.jobs, progress);
+  adequacy.mutants = grade_mutants(assignment, originals, choose(mutants, options), grade,
+                                   options.jobs, progress);
   compare_with_list(adequacy, originals, possible);
   adequacy.single_pointers = spoil_single_pointers(assignment, originals, options, pipeline);
   // make_variant() knows how these two are laid out.

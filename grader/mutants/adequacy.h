@@ -15,19 +15,21 @@ namespace meshgrade {
 
 struct AdequacyOptions {
   std::uint64_t seed = 184;
-  std::size_t mutants = 0;  ///< how many to draw; 0: all
+  std::size_t mutants = 0;  ///< how many to draw of all; 0: all
   std::size_t variants = 240;
   std::size_t repeated = 12;  ///< submissions that are graded three times
   unsigned jobs = 2;
   std::string exercise;             ///< only this one; empty: all
   std::vector<std::string> styles;  ///< names of the solutions to change; empty: all
-  bool single_pointers = true;      ///< whether they are run, and spoiled in one pointer each
+  /// Whether the solutions are run, and spoiled in one pointer each; and whether all mutants of
+  /// the textbook that set just one pointer wrong are graded, drawn or not.
+  bool single_pointers = true;
 };
 
 struct Adequacy {
   AdequacyOptions options;
   std::vector<std::string> exercises;
-  std::size_t possible_mutants = 0;  ///< of which `mutants` are all, or drawn
+  std::size_t possible_mutants = 0;  ///< of which `mutants` are all, or some
   std::vector<MutantResult> mutants;
   SurvivorList reviewed;
   std::vector<std::string> unexplained;         ///< survivors that are not in the list

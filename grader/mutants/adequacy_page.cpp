@@ -108,10 +108,16 @@ std::string sample_text(const Adequacy& adequacy) {
   if (adequacy.mutants.size() == adequacy.possible_mutants) {
     return "All mutants" + of + " were graded.\n\n";
   }
-  return std::to_string(adequacy.mutants.size()) + " of the " +
-         std::to_string(adequacy.possible_mutants) + " mutants" + of +
-         " were drawn with the seed " + std::to_string(adequacy.options.seed) +
-         " and graded.\n\n";
+  const std::size_t drawn = adequacy.options.mutants;
+  const std::size_t more = adequacy.mutants.size() - drawn;
+  const std::string others =
+      more == 0 ? " and graded.\n\n"
+                : ",\nand " + std::to_string(more) +
+                      " more are the rest of those that set one pointer of the textbook's flip "
+                      "or split\nwrong. All of them were graded.\n\n";
+  return std::to_string(drawn) + " of the " + std::to_string(adequacy.possible_mutants) +
+         " mutants" + of + " were drawn with the seed " +
+         std::to_string(adequacy.options.seed) + others;
 }
 
 std::string exercise_table(const Adequacy& adequacy) {
@@ -228,7 +234,7 @@ std::string spread_text(std::vector<double> shares) {
 
 std::string points_table(const Adequacy& adequacy) {
   std::string table =
-      "\n## What one wrong pointer costs\n\nOf the mutants of the textbook's flip and split "
+      "\n## What one wrong pointer costs\n\nOf all mutants of the textbook's flip and split "
       "that "
       "set exactly one pointer wrong and are\nfound: the share of the exercise's points that "
       "is "
