@@ -1,6 +1,7 @@
 #include "grader/app/check_command.h"
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <iostream>
 #include <memory>
 
@@ -33,6 +34,7 @@ struct CheckOptions : GradingOptions {
   std::string figures;
   std::string html;
   bool verbose = false;
+  bool timing = false;
   bool require_sandbox = false;
 };
 
@@ -44,6 +46,13 @@ int exit_status(const Report& report) {
 std::string figures_text(std::size_t pictures, const std::string& folder) {
   if (pictures == 0) return "\nno pictures: nothing that went wrong can be drawn\n";
   return "\n" + plural(pictures, "picture") + " of what is wrong, in " + folder + "\n";
+}
+
+std::string timing_text(const StageTimes& times, std::chrono::steady_clock::time_point begin) {
+  const std::chrono::duration<double, std::milli> all =
+      std::chrono::steady_clock::now() - begin;
+  return "\nWhat took how long (some of it side by side, or as a part of another line):\n" +
+         to_table(times.stages(), all.count());
 }
 
 void check_files(const CheckOptions& options, const Submission& submission) {
@@ -71,7 +80,9 @@ int check(const CheckOptions& options) {
   const Assignment assignment = load_assignment(options.assignment);
   const Submission submission = find_submission(options.submission, assignment.submission);
   check_files(options, submission);
-  const Home home = find_home();
+  const auto times = options.timing ? std::make_shared<StageTimes>() : nullptr;
+  const auto begin = std::chrono::steady_clock::now();
+  const Home home = find_home({!options.no_cache, times});
   if (options.require_sandbox) require_sandbox(home.sandbox);
   const Progress progress = terminal_progress();
   const FigureFolder figures(options.figures);
@@ -81,12 +92,14 @@ int check(const CheckOptions& options) {
     explain_first_crash(assignment, submission, home, progress, report);
   }
   progress("");
+  if (times) report.timing = times->stages();
   remember_or_warn(options.submission, report);
   const std::size_t pictures =
       options.figures.empty() ? 0 : write_figures(report, options.figures);
   std::cout << (options.format == kForEditors ? to_gcc(report, submission, assignment)
                                               : text_for_people(report, options));
   if (!options.figures.empty()) std::cout << figures_text(pictures, options.figures);
+  if (times) std::cout << timing_text(*times, begin);
   std::cout << std::flush;
   if (!options.json.empty()) write_file_safely(options.json, to_json(report));
   if (!options.html.empty()) {
@@ -114,6 +127,8 @@ void add_check_command(CLI::App& app, int& exit_code) {
   add_output_option(*command, "--html", options->html,
                     "Write the report to this file as a page for the browser");
   command->add_flag("-v,--verbose", options->verbose, "Show every case and every finding");
+  command->add_flag("--timing", options->timing,
+                    "Show how long the stages of the check took, also in the JSON report");
   command->add_flag("--require-sandbox", options->require_sandbox, kRequireSandboxHelp);
   command->footer(
       "Examples:\n"
@@ -123,6 +138,7 @@ void add_check_command(CLI::App& app, int& exit_code) {
       "  meshgrade check my_homework edge_split --figures pictures\n"
       "  meshgrade check my_homework --html report.html\n"
       "  meshgrade check my_homework --format gcc\n"
+      "  meshgrade check my_homework --timing\n"
       "Exit code: 0 all required points, 1 points lost, 2 bad usage or unreadable input,\n"
       "3 an error of the grader, 130 stopped by Ctrl-C, 143 by TERM.");
   command->callback([options, &exit_code] { exit_code = check(*options); });

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "grader/app/installed_home.h"
+#include "grader/app/kept_work.h"
 #include "grader/base/errors.h"
 #include "grader/cases/own_meshes.h"
 #include "grader/judge/judge.h"
@@ -76,9 +77,11 @@ std::filesystem::path source_folder() {
   return folder;
 }
 
-Home find_home() {
+Home find_home(const HomeOptions& options) {
+  const StageTimer timer(options.times.get(), "find a compiler and a sandbox");
   const fs::path source = source_folder();
   Home home;
+  home.times = options.times;
   home.include = source / "include";
   home.meshes = source / "meshes";
   home.docs = source / "docs";
@@ -87,6 +90,7 @@ Home find_home() {
   find_kit(home);
   open_to_submissions(home);
   home.sandbox = find_sandbox(home.kit, home.compiler);
+  if (options.keeps_work) keep_work(home);
   return home;
 }
 

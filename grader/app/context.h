@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "grader/assignment/assignment.h"
@@ -9,9 +10,14 @@
 
 namespace meshgrade {
 
+struct HomeOptions {
+  bool keeps_work = false;  ///< for submissions that are checked again and again (kept_work.h)
+  std::shared_ptr<StageTimes> times = nullptr;  ///< where to say how long what took
+};
+
 /// Where this program's own files are. The first call of an installed program makes its kit
 /// ready (installed_home.h), which takes some seconds.
-Home find_home();
+Home find_home(const HomeOptions& options = {});
 
 /// The folder that holds include/, meshes/, docs/ and the others: $MESHGRADE_HOME, else that of
 /// an installed program, else the one that this program was built from.

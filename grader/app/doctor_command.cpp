@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "grader/app/context.h"
+#include "grader/app/kept_work.h"
 #include "grader/base/errors.h"
 #include "grader/base/process.h"
 #include "grader/base/text.h"
@@ -72,11 +73,17 @@ void print_layers(const Home& home) {
   }
 }
 
+void print_cache(const Home& home) {
+  std::cout << "\nWhat is kept of earlier checks\n";
+  print("cache", home.kept != nullptr, kept_work_text(home));
+}
+
 void doctor() {
-  const Home home = find_home();
+  const Home home = find_home({true});
   print_tools(home);
   print_probes(home.sandbox);
   print_layers(home);
+  print_cache(home);
   const Layer layer = home.sandbox.layer;
   std::cout << "\nSubmissions are graded in layer " << layer_name(layer) << ".\n";
   const bool strong = layer == Layer::kNamespaces || layer == Layer::kOtherUser;

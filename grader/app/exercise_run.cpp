@@ -87,9 +87,10 @@ bool deserves_second_run(const CaseJudgement& judgement) {
 }
 
 /// Runs failed cases once more, each in a process of its own, and says so where that helps.
-void run_again_alone(const Assignment& assignment, const ExerciseRubric& rubric,
-                     const Build& build, const std::vector<Case>& cases,
-                     Conventions conventions, std::vector<CaseJudgement>& judgements) {
+void run_again_alone(const Assignment& assignment, const Home& home,
+                     const ExerciseRubric& rubric, const Build& build,
+                     const std::vector<Case>& cases, Conventions conventions,
+                     std::vector<CaseJudgement>& judgements) {
   std::vector<const Case*> failed;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -98,6 +99,7 @@ void run_again_alone(const Assignment& assignment, const ExerciseRubric& rubric,
     places.push_back(i);
   }
   if (failed.empty()) return;
+  const StageTimer timer(home.times.get(), "run failures again, alone");
   const std::vector<Outcome> outcomes =
       run_cases(build, failed, assignment.limits, Company::kAlone);
   const auto alone = judge_all(assignment, rubric, failed, outcomes, conventions, 0);
@@ -129,6 +131,7 @@ void make_failures_smaller(const Assignment& assignment, const Home& home,
   for (std::size_t i = 0; i < outcomes.size() && left > 0; ++i) {
     JudgedCase& judged = exercise.cases[i];
     if (outcomes[i].lost || !can_be_smaller(judged)) continue;
+    const StageTimer timer(home.times.get(), "make failures smaller");
     // Those of the whole exercise, also where only one of them is judged.
     if (all.empty()) all = make_cases(assignment, *exercise.rubric, home.meshes);
     auto smaller = shrink(assignment, home, candidate, *exercise.rubric, all, judged);
@@ -189,9 +192,13 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
                               const std::vector<Outcome>& outcomes) {
   const ExerciseJudge judge = find_exercise_judge(rubric);
   Conventions conventions = judge.conventions;
-  std::vector<CaseJudgement> judgements =
-      judge_all(assignment, rubric, pointers_to(cases), outcomes, conventions, kMostExplained);
-  run_again_alone(assignment, rubric, candidate.build, cases, conventions, judgements);
+  std::vector<CaseJudgement> judgements;
+  {
+    const StageTimer timer(home.times.get(), "judge");
+    judgements = judge_all(assignment, rubric, pointers_to(cases), outcomes, conventions,
+                           kMostExplained);
+  }
+  run_again_alone(assignment, home, rubric, candidate.build, cases, conventions, judgements);
   JudgedExercise judged;
   judged.rubric = &rubric;
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -220,11 +227,16 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
 ExerciseRun run_exercise(const Assignment& assignment, const Home& home,
                          const Candidate& candidate, const ExerciseRubric& rubric) {
   ExerciseRun run;
-  run.cases = make_cases(assignment, rubric, home.meshes);
+  {
+    const StageTimer timer(home.times.get(), "make the cases");
+    run.cases = make_cases(assignment, rubric, home.meshes);
+  }
   run.outcomes =
       run_cases(candidate.build, pointers_to(run.cases), assignment.limits, Company::kTogether);
   run.judged = judge_exercise(assignment, home, candidate, rubric, run.cases, run.outcomes);
-  if (!is_all_right(run.judged)) run_with_right_callees(assignment, home, candidate, run, run);
+  if (is_all_right(run.judged)) return run;
+  const StageTimer timer(home.times.get(), "run with right solutions");
+  run_with_right_callees(assignment, home, candidate, run, run);
   return run;
 }
 

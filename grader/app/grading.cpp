@@ -41,6 +41,7 @@ void run_again(const Assignment& assignment, const Home& home, const Candidate& 
                const std::vector<ExerciseRun>& asked, ExerciseRun& run) {
   const ExerciseRubric& rubric = *run.judged.rubric;
   if (rubric.needs.empty() || is_all_right(run.judged)) return;
+  const StageTimer timer(home.times.get(), "run with right solutions");
   run_with_stand_ins(assignment, home, candidate,
                      judge_needed(assignment, home, candidate, rubric, asked), run);
 }

@@ -16,6 +16,13 @@ void add_grading_options(CLI::App& command, GradingOptions& options) {
       "What is asked and what it is worth (TOML); the standard one if not given");
   command.add_option("--color", options.color, "When to use color")
       ->check(CLI::IsMember({"auto", "always", "never"}));
+  add_cache_option(command, options.no_cache);
+}
+
+void add_cache_option(CLI::App& command, bool& no_cache) {
+  command.add_flag("--no-cache", no_cache,
+                   "Compile and run everything again, also what has not changed since it was "
+                   "done last; keep nothing");
 }
 
 }  // namespace meshgrade

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -11,8 +10,10 @@
 #include <set>
 #include <system_error>
 
+#include "grader/app/kept_work.h"
 #include "grader/base/digest.h"
 #include "grader/base/errors.h"
+#include "grader/base/kept_files.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
 #include "grader/sandbox/system_paths.h"
@@ -33,15 +34,6 @@ std::string from_environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-fs::path cache_folder() {
-  const fs::path xdg = from_environment("XDG_CACHE_HOME");
-  if (xdg.is_absolute()) return xdg / "meshgrade";
-  // Root's home is closed to the users that submissions run as.
-  if (::geteuid() == 0) return "/var/cache/meshgrade";
-  const fs::path home = from_environment("HOME");
-  return home.is_absolute() ? home / ".cache" / "meshgrade" : fs::path();
-}
-
 /// What tells whether a file is still the same, without reading it.
 std::string stamp_of(const fs::path& file) {
   std::error_code ignored;
@@ -58,12 +50,6 @@ std::string name_of_kit(const fs::path& shipped, const fs::path& include,
       .add(stamp_of(include / "meshedit" / "halfedge_mesh.h"))
       .add(stamp_of(compiler));
   return "kit-" + digest.hex().substr(0, 16);
-}
-
-bool is_only_mine(const fs::path& folder) {
-  struct stat found {};
-  return ::lstat(folder.c_str(), &found) == 0 && S_ISDIR(found.st_mode) &&
-         found.st_uid == ::geteuid() && (found.st_mode & (S_IWGRP | S_IWOTH)) == 0;
 }
 
 std::string size_text(const fs::path& file) {
@@ -139,14 +125,6 @@ void say(const std::string& text) {
   std::cerr << "meshgrade: " << printable(text) << "\n";
 }
 
-/// Whether there is a folder of this name that only this user can write to.
-bool make_cache(const fs::path& cache) {
-  std::error_code error;
-  if (cache.empty()) return false;
-  fs::create_directories(cache, error);
-  return is_only_mine(cache) && ::access(cache.c_str(), W_OK) == 0;
-}
-
 /// Only one call makes a kit at a time. It is made in its place, since Clang's precompiled
 /// headers know where they lie; it is used when `ready` is there.
 void keep_in(const fs::path& place, const fs::path& shipped, const fs::path& include,
@@ -189,7 +167,7 @@ ReadyKit ready_kit(const fs::path& shipped, const fs::path& include,
   const fs::path cache = cache_folder();
   const fs::path kept = cache / name_of_kit(shipped, include, compiler);
   if (is_ready(kept)) return {kept, nullptr};
-  if (make_cache(cache)) {
+  if (make_own_folder(cache)) {
     try {
       say("compiling the shared headers, once for this compiler");
       keep_in(kept, shipped, include, compiler);

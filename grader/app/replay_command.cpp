@@ -10,6 +10,7 @@
 #include "grader/app/dialect_fit.h"
 #include "grader/app/figure_files.h"
 #include "grader/app/grading.h"
+#include "grader/app/grading_options.h"
 #include "grader/app/progress_store.h"
 #include "grader/app/sanitized_replay.h"
 #include "grader/base/errors.h"
@@ -30,12 +31,14 @@ struct ReplayOptions {
   std::string color = "auto";
   bool debug = false;
   bool sanitize = false;
+  bool no_cache = false;
 };
 
 /// What a replay works on.
 struct Replay {
   Assignment assignment;
   Submission submission;
+  Home home;
   Case asked;
 };
 
@@ -45,7 +48,8 @@ Replay prepare(const ReplayOptions& options) {
   replay.submission = find_submission(given_or_last(options.submission, personal_store()),
                                       replay.assignment.submission);
   replay.assignment = fit_to_dialect(replay.assignment, replay.submission.dialect);
-  replay.asked = find_case(replay.assignment, find_home().meshes, options.case_id);
+  replay.home = find_home({!options.no_cache});
+  replay.asked = find_case(replay.assignment, replay.home.meshes, options.case_id);
   return replay;
 }
 
@@ -64,7 +68,7 @@ Build build(const Replay& replay, BuildKind kind) {
   const Progress progress = terminal_progress();
   progress("compiling");
   Build build =
-      build_submission(replay.submission, find_home(), replay.assignment.limits, kind);
+      build_submission(replay.submission, replay.home, replay.assignment.limits, kind);
   progress("");
   return build;
 }
@@ -72,7 +76,7 @@ Build build(const Replay& replay, BuildKind kind) {
 int replay_plainly(const Replay& replay, const ReplayOptions& options) {
   const Build built = build(replay, BuildKind::kGrading);
   return print_case(
-      grade_case_fully(replay.assignment, replay.submission, find_home(), built, replay.asked),
+      grade_case_fully(replay.assignment, replay.submission, replay.home, built, replay.asked),
       options);
 }
 
@@ -80,7 +84,7 @@ int replay_under_sanitizers(const Replay& replay, const ReplayOptions& options) 
   const Progress progress = terminal_progress();
   progress("compiling for the sanitizers");
   const auto [report, log] =
-      replay_sanitized(replay.assignment, replay.submission, find_home(), replay.asked);
+      replay_sanitized(replay.assignment, replay.submission, replay.home, replay.asked);
   progress("");
   const int exit_code = print_case(report, options);
   std::cout << "\n"
@@ -98,7 +102,7 @@ int replay_in_debugger(Replay replay) {
   require_debugger();
   const ExerciseRubric* rubric = replay.assignment.find(replay.asked.exercise);
   const ExerciseJudge judge = find_exercise_judge(*rubric);
-  replay.asked = shown_case(replay.assignment, replay.submission, find_home(),
+  replay.asked = shown_case(replay.assignment, replay.submission, replay.home,
                             build(replay, BuildKind::kGrading), replay.asked);
   const Build built = build(replay, BuildKind::kDebug);
   for (const BuiltFile& file : built.files) {
@@ -113,7 +117,7 @@ int replay_in_debugger(Replay replay) {
   return run_debugger(
       built, tasks,
       {judge.functions, replay.submission.folder,
-       find_home().include / "gdb" / "meshedit_printers.py", letters_for(replay.asked)});
+       replay.home.include / "gdb" / "meshedit_printers.py", letters_for(replay.asked)});
 }
 
 int replay(const ReplayOptions& options) {
@@ -153,6 +157,7 @@ void add_replay_command(CLI::App& app, int& exit_code) {
       ->add_flag("--sanitize", options->sanitize,
                  "Run under the address and undefined-behaviour sanitizers")
       ->excludes(debug);
+  add_cache_option(*command, options->no_cache);
   command->footer(
       "Examples:\n"
       "  meshgrade replay edge_split:boundary/7\n"

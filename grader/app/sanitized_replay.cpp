@@ -50,6 +50,7 @@ void explain_first_crash(const Assignment& assignment, const Submission& submiss
                          const Home& home, const Progress& progress, Report& report) {
   CaseReport* crash = first_crash(report);
   if (crash == nullptr || crash->hidden) return;
+  const StageTimer timer(home.times.get(), "run a crash under the sanitizers");
   progress(crash->id + " crashed: once more under the sanitizers");
   const Case asked = find_case(assignment, home.meshes, crash->id);
   try {

@@ -13,6 +13,7 @@
 #include "grader/app/console.h"
 #include "grader/app/context.h"
 #include "grader/app/file_watch.h"
+#include "grader/app/grading_options.h"
 #include "grader/app/screenshot.h"
 #include "grader/base/errors.h"
 #include "grader/files/bezier_file.h"
@@ -27,6 +28,7 @@ struct ViewOptions {
   std::string submission;
   std::string assignment;
   int port = 0;
+  bool no_cache = false;
   ScreenshotOptions screenshot;
 };
 
@@ -125,7 +127,7 @@ int view(const ViewOptions& options) {
   const bool for_picture = !options.screenshot.out.empty();
   const PictureRequest request =
       for_picture ? read_request(options.screenshot) : PictureRequest();
-  const Home home = find_home();
+  const Home home = find_home({!options.no_cache});
   const Assignment assignment = load_assignment(options.assignment);
   const std::filesystem::path cube = home.meshes / "cube.obj";
   const std::filesystem::path file =
@@ -210,6 +212,7 @@ void add_view_command(CLI::App& app, int& exit_code) {
   command->add_option("--port", options->port, "The port to listen on; any free one if 0")
       ->check(CLI::Range(0, 65535));
   add_screenshot_options(*command, options->screenshot);
+  add_cache_option(*command, options->no_cache);
   command->footer(
       "Flips, splits and subdivides with your own functions, in the browser. A crash or an\n"
       "endless loop is told and nothing is lost; save your file, and the steps are repeated.\n"

@@ -93,7 +93,9 @@ std::string clock_time() {
 class Watch {
  public:
   explicit Watch(const GradingOptions& options)
-      : options_(options), assignment_(load_assignment(options.assignment)) {
+      : options_(options),
+        assignment_(load_assignment(options.assignment)),
+        home_(find_home({!options.no_cache})) {
     choose_exercises(assignment_, options.exercises);  // a wrong name is told at once
     style_.color = use_color(options.color);
     style_.all_shown_by =
@@ -137,7 +139,7 @@ class Watch {
       const Progress progress = terminal_progress();
       const Submission submission =
           find_submission(options_.submission, assignment_.submission);
-      Report report = grade(assignment_, submission, find_home(), options_.exercises, progress);
+      Report report = grade(assignment_, submission, home_, options_.exercises, progress);
       progress("");
       remember_or_warn(options_.submission, report);
       print(report);
@@ -160,6 +162,7 @@ class Watch {
 
   const GradingOptions& options_;
   Assignment assignment_;
+  Home home_;
   TerminalStyle style_;
   std::optional<Report> last_;
   bool is_stale_ = false;  ///< whether a file has changed during the last check

@@ -6,6 +6,7 @@
 
 #include "grader/app/console.h"
 #include "grader/app/context.h"
+#include "grader/app/grading_options.h"
 #include "grader/app/output_check.h"
 #include "grader/base/errors.h"
 #include "grader/base/safe_file.h"
@@ -28,6 +29,7 @@ struct WriteupOptions {
   std::string assignment;
   bool again = false;
   bool svg = false;
+  bool no_cache = false;
 };
 
 /// Before any work: the student's words are not written over, nor is the homework.
@@ -74,7 +76,7 @@ void write_texts(const Writeup& writeup, const fs::path& folder) {
 
 int write_up(const WriteupOptions& options) {
   require_free(options);
-  const Home home = find_home();
+  const Home home = find_home({!options.no_cache});
   const Assignment assignment = load_assignment(options.assignment);
   const fs::path rubric_file = options.rubric.empty()
                                    ? source_folder() / "docs" / "writeup_rubric.toml"
@@ -120,6 +122,7 @@ void add_writeup_command(CLI::App& app, int& exit_code) {
   command->add_flag("--again", options->again,
                     "Make the pictures anew; writeup.md and writeup.html stay as they are");
   command->add_flag("--svg", options->svg, "Draw SVG pictures even where there is a browser");
+  add_cache_option(*command, options->no_cache);
   command->footer(
       "A step that fails is shown as it fails, with what is wrong. Nothing that is there is\n"
       "written over, unless you say --again: then the pictures are.\n"

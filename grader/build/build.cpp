@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <map>
 #include <thread>
 
 #include "grader/base/errors.h"
 #include "grader/base/parallel.h"
+#include "grader/base/safe_file.h"
 #include "grader/build/added_members.h"
 #include "grader/build/joining.h"
+#include "grader/build/kept_build.h"
 #include "grader/build/link_worker.h"
 #include "grader/build/member_splice.h"
 #include "grader/build/tool_words.h"
@@ -46,13 +50,20 @@ std::vector<std::string> adapter_files(Dialect dialect) {
   return {};
 }
 
+void write_object(const fs::path& file, const std::string& bytes) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << bytes;
+  if (!stream.flush()) throw GraderError("cannot write " + file.string());
+}
+
 class Builder {
  public:
   Builder(const Submission& submission, const Home& home, const Limits& limits, BuildKind kind)
       : submission_(submission),
         home_(home),
         limits_(limits),
-        flags_("@" + (home.kit / flags_file(kind)).string()) {
+        flags_("@" + (home.kit / flags_file(kind)).string()),
+        objects_kept_(submission, home, kind) {
     build_.sandbox = home.sandbox;
     if (kind == BuildKind::kSanitized) build_.logs.emplace();
   }
@@ -111,9 +122,47 @@ class Builder {
     for (std::size_t i = 0; i < rests_.size(); ++i)
       sources.push_back({build_.files[i].name, rests_[i].text()});
     const Unit joined = home_.joins_files ? joinable(sources, submission_.headers) : Unit();
-    std::vector<Unit> units = share_out(joined, cores_of(home_));
+    std::vector<Unit> units = units_of_before(sources, joined);
+    Unit changed;
+    Unit neighbours;  // of what has changed: they were in a unit with it
+    for (std::size_t i : joined) {
+      if (is_in_any(i, units)) continue;
+      (objects_kept_.unit_of(sources[i]).empty() ? changed : neighbours).push_back(i);
+    }
+    for (Unit& unit : share_out(changed, cores_of(home_)))
+      units.push_back(std::move(unit));
+    if (!neighbours.empty()) units.push_back(neighbours);
     for (std::size_t i = 0; i < build_.files.size(); ++i) {
       if (std::find(joined.begin(), joined.end(), i) == joined.end()) units.push_back({i});
+    }
+    return units;
+  }
+
+  static bool is_in_any(std::size_t file, const std::vector<Unit>& units) {
+    return std::any_of(units.begin(), units.end(), [&](const Unit& unit) {
+      return std::find(unit.begin(), unit.end(), file) != unit.end();
+    });
+  }
+
+  /// Units of an earlier build whose files are all here and unchanged.
+  std::vector<Unit> units_of_before(const std::vector<SourceFile>& sources,
+                                    const Unit& joined) const {
+    std::map<std::string, std::size_t> place;
+    for (std::size_t i : joined)
+      place[objects_kept_.digest_of(sources[i])] = i;
+    std::vector<Unit> units;
+    for (std::size_t i : joined) {
+      if (is_in_any(i, units)) continue;
+      Unit unit;
+      for (const std::string& digest : objects_kept_.unit_of(sources[i])) {
+        const auto found = place.find(digest);
+        if (found == place.end()) {
+          unit.clear();
+          break;
+        }
+        unit.push_back(found->second);
+      }
+      if (!unit.empty()) units.push_back(std::move(unit));
     }
     return units;
   }
@@ -134,7 +183,10 @@ class Builder {
     }
     workshops_[first].put(kJoined, joined_source(names));
     const std::string object = "~" + std::to_string(first) + ".o";
-    const ProcessResult result = compile(first, kJoined, object);
+    std::vector<SourceFile> sources;
+    for (std::size_t i : unit)
+      sources.push_back({build_.files[i].name, rests_[i].text()});
+    const ProcessResult result = compile(first, kJoined, object, sources);
     if (!result.ok() || !result.output.empty()) return false;
     for (std::size_t i : unit) {
       build_.files[i].ok = true;
@@ -226,9 +278,28 @@ class Builder {
     return std::chrono::seconds(limits_.compile_seconds);
   }
 
-  /// Compiles a file in its workshop, and takes the object out of it.
-  ProcessResult compile(std::size_t i, const std::string& file,
-                        const std::string& object) const {
+  /// Compiles a file in its workshop, and takes the object out of it; or takes the object that
+  /// was kept.
+  /// @param unit  all that the file is made of
+  ProcessResult compile(std::size_t i, const std::string& file, const std::string& object,
+                        const std::vector<SourceFile>& unit) const {
+    if (!splice_.empty()) return compile_anew(i, file, object);
+    const std::filesystem::path place = build_.folder.path() / object;
+    if (const auto found = objects_kept_.find(unit)) {
+      write_object(place, found->object);
+      ProcessResult result;
+      result.output = found->messages;
+      return result;
+    }
+    ProcessResult result = compile_anew(i, file, object);
+    if (result.ok() && home_.kept)
+      objects_kept_.keep(unit, {result.output, read_whole_file(place)});
+    return result;
+  }
+
+  ProcessResult compile_anew(std::size_t i, const std::string& file,
+                             const std::string& object) const {
+    const StageTimer timer(home_.times.get(), "compile");
     std::vector<std::string> arguments{
         home_.compiler, flags_, "-ffile-prefix-map=" + workshops_[i].folder().string() + "=."};
     add_headers(arguments);
@@ -309,8 +380,9 @@ class Builder {
     BuiltFile& file = build_.files[i];
     objects_[i] = file.name + ".o";
     workshops_[i].put(file.name, rests_[i].text());
-    ProcessResult result = compile(i, file.name, objects_[i]);
-    if (is_dead_compiler(result)) result = compile(i, file.name, objects_[i]);
+    const std::vector<SourceFile> alone{{file.name, rests_[i].text()}};
+    ProcessResult result = compile(i, file.name, objects_[i], alone);
+    if (is_dead_compiler(result)) result = compile(i, file.name, objects_[i], alone);
     file.ok = result.ok();
     file.compiler_died = is_dead_compiler(result);
     file.left_out = file.ok ? rests_[i].left_out() : std::vector<LeftOut>();
@@ -320,11 +392,13 @@ class Builder {
   void compile_adapter(std::size_t i) {
     BuiltFile& file = build_.files[i];
     objects_[i] = file.name + ".o";
-    file.ok = compile(i, home_.include / "dropin" / file.name.substr(1), objects_[i]).ok();
+    const std::string adapter = home_.include / "dropin" / file.name.substr(1);
+    file.ok = compile(i, adapter, objects_[i], {{file.name, ""}}).ok();
   }
 
   /// Links the worker with these sources' objects.
   ProcessResult link(const std::vector<std::size_t>& sources) const {
+    const StageTimer timer(home_.times.get(), "link");
     const Workshop workshop(home_, limits_, build_.folder.path());
     std::vector<std::string> objects;
     for (std::size_t i : sources) {
@@ -407,6 +481,7 @@ class Builder {
   const Home& home_;
   const Limits& limits_;
   std::string flags_;
+  KeptObjects objects_kept_;
   Build build_;
   MemberSplice splice_;
   bool driver_ok_ = false;
@@ -430,7 +505,14 @@ const BuiltFile* Build::find(const std::string& name) const {
 
 Build build_submission(const Submission& submission, const Home& home, const Limits& limits,
                        BuildKind kind) {
-  return Builder(submission, home, limits, kind).build();
+  const std::string identity = identity_of_build(submission, home, limits, kind);
+  if (auto kept = find_kept_build(home, identity, kind)) return std::move(*kept);
+  Build build = Builder(submission, home, limits, kind).build();
+  build.kept = home.kept;
+  build.times = home.times;
+  build.identity = identity;
+  keep_build(build);
+  return build;
 }
 
 }  // namespace meshgrade

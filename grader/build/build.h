@@ -25,6 +25,11 @@ struct BuiltFile {
   bool compiler_died = false;  ///< the compiler broke, twice: not the student's fault
   std::vector<LeftOut> left_out;   ///< functions without which the file compiles
   std::vector<std::string> notes;  ///< what is known about the reasons
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(name, ok, messages, warnings, linked, compiler_died, left_out, notes);
+  }
 };
 
 /// A worker that contains the student's functions; those that are missing answer "not
@@ -35,6 +40,10 @@ struct Build {
   Sandbox sandbox;                    ///< in which the worker is to run
   std::optional<ScratchFolder> logs;  ///< where the sanitizers write what they find
   std::vector<BuiltFile> files;
+
+  std::shared_ptr<StageTimes> times;     ///< as in Home
+  std::shared_ptr<const KeptWork> kept;  ///< likewise
+  std::string identity;  ///< digest of all that the worker comes from; if something is kept
 
   const BuiltFile* find(const std::string& name) const;
 };

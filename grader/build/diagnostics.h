@@ -11,6 +11,11 @@ struct CompilerWarning {
   int line = 0;
   std::string text;    ///< "control reaches end of non-void function"
   std::string option;  ///< "-Wreturn-type"; empty if none is named
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(file, line, text, option);
+  }
 };
 
 /// The warnings among messages of GCC or Clang, in their order.

@@ -5,10 +5,22 @@
 #include <memory>
 #include <string>
 
+#include "grader/base/kept_files.h"
 #include "grader/base/process.h"
+#include "grader/base/stage_times.h"
 #include "grader/sandbox/sandbox.h"
 
 namespace meshgrade {
+
+/// Results of earlier calls, and what they depend on beside the submission: this program, its
+/// kit, the compiler and the sandbox.
+struct KeptWork {
+  KeptWork(const std::filesystem::path& folder, std::uint64_t most, std::string around)
+      : files(folder, most), surroundings(std::move(around)) {}
+
+  KeptFiles files;
+  std::string surroundings;  ///< digest
+};
 
 /// Where the program's own files are.
 struct Home {
@@ -23,6 +35,8 @@ struct Home {
   Sandbox sandbox;                        ///< in which submissions are compiled and run
   std::shared_ptr<ScratchFolder> copies;  ///< of include and kit, where they must be copied
   std::shared_ptr<ScratchFolder> own_kit = nullptr;  ///< the kit, where it could not be kept
+  std::shared_ptr<StageTimes> times = nullptr;  ///< where to say how long what took; or nowhere
+  std::shared_ptr<const KeptWork> kept = nullptr;  ///< for submissions that are checked again
   std::size_t cores = 0;    ///< to use for one submission; 0: all of them
   bool joins_files = true;  ///< compiles as one what is the same in one; see joining.h
 };

@@ -12,6 +12,11 @@ struct LeftOut {
   int line = 0;             ///< of the first complaint about it
   std::string message;      ///< that complaint
   bool not_judged = false;  ///< it is no fault of the code: the grader lacks what it uses
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(function, line, message, not_judged);
+  }
 };
 
 /// Takes functions that do not compile out of a source, so that the others can be graded. The

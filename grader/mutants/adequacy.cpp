@@ -76,7 +76,7 @@ std::vector<Mutant> without_time_limit(const std::vector<MutantResult>& results)
   return mutants;
 }
 
-/// Those that are drawn; where single pointers are looked at, those that set just one wrong, too.
+/// Those that are drawn; and where single pointers are looked at, all that set one wrong.
 std::vector<Mutant> choose(const std::vector<Mutant>& mutants, const AdequacyOptions& options) {
   std::vector<Mutant> chosen = draw(mutants, options.mutants, Random(options.seed, "mutants"));
   if (!options.single_pointers) return chosen;

@@ -1,5 +1,7 @@
 #include "grader/report/json_report.h"
 
+#include <cmath>
+
 #include "grader/report/report_value.h"
 
 namespace meshgrade {
@@ -150,6 +152,11 @@ Json to_json_value(const Report& report) {
   value["exercises"] = Json::array();
   for (const ExerciseReport& exercise : report.exercises) {
     value["exercises"].push_back(to_value(exercise));
+  }
+  for (const Stage& stage : report.timing) {
+    value["timing"].push_back({{"stage", stage.name},
+                               {"count", stage.count},
+                               {"milliseconds", std::round(stage.milliseconds)}});
   }
   return value;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grader/assignment/assignment.h"
+#include "grader/base/stage_times.h"
 #include "grader/build/build.h"
 #include "grader/cases/case.h"
 #include "grader/judge/judge.h"
@@ -94,6 +95,7 @@ struct Report {
   double max_points = 0.0;
   double extra_points = 0.0;
   double max_extra_points = 0.0;
+  std::vector<Stage> timing;  ///< of the check; empty unless somebody asked
 
   bool has_grader_error() const;
   /// Of exercises about which nothing could be said. They are not earned, and not lost by a

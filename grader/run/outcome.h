@@ -13,6 +13,11 @@ struct StackFrame {
   std::string function;
   std::string file;  ///< as the compiler was given it; empty if not known
   int line = 0;
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(function, file, line);
+  }
 };
 
 /// What came of a case: a claim of the worker, well-formed but not judged.
@@ -28,6 +33,12 @@ struct Outcome {
   std::uint64_t output_bytes = 0;
   /// Nothing came of this case, since one of those that were run with it spoiled them all.
   bool lost = false;
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(ending, fault_kind, code, subject, steps, interrupted, stack, output, output_bytes,
+         lost);
+  }
 };
 
 }  // namespace meshgrade

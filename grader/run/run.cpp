@@ -9,6 +9,7 @@
 
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
+#include "grader/run/kept_outcomes.h"
 #include "grader/run/result_reader.h"
 #include "grader/run/symbolizer.h"
 #include "grader/sandbox/confined_run.h"
@@ -232,6 +233,7 @@ Bounds worker_bounds(const Build& build, const Limits& limits) {
 /// The worker in a folder that is its own.
 ProcessResult run_worker(const Build& build, const fs::path& folder, const Limits& limits,
                          std::vector<int> files) {
+  const StageTimer timer(build.times.get(), "run cases in a worker");
   fs::remove(folder / "worker");
   fs::create_hard_link(build.worker, folder / "worker");
   Command command;
@@ -329,10 +331,8 @@ void run_marked(const Build& build, const std::vector<const Case*>& cases,
   }
 }
 
-}  // namespace
-
-std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
-                               const Limits& limits, Company company) {
+std::vector<Outcome> run_anew(const Build& build, const std::vector<const Case*>& cases,
+                              const Limits& limits, Company company) {
   std::vector<Outcome> outcomes(cases.size());
   std::vector<bool> together(cases.size());
   for (std::size_t i = 0; i < cases.size(); ++i)
@@ -349,6 +349,27 @@ std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*
     if (cases[i]->fresh) outcomes[i].ending = Ending::kSkipped;
   }
   run_marked(build, cases, fresh, limits, Company::kAlone, outcomes);
+  return outcomes;
+}
+
+/// All that the worker is told, and which cases get a process of their own.
+std::string tasks_of(const std::vector<const Case*>& cases, const Limits& limits,
+                     Company company) {
+  std::string bytes = to_wire(make_tasks(cases, limits, company));
+  for (const Case* c : cases)
+    bytes += c->fresh ? '1' : '0';
+  return bytes;
+}
+
+}  // namespace
+
+std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
+                               const Limits& limits, Company company) {
+  if (!build.kept) return run_anew(build, cases, limits, company);
+  const std::string identity = identity_of_run(build, tasks_of(cases, limits, company), limits);
+  if (auto kept = find_kept_outcomes(build, identity)) return std::move(*kept);
+  std::vector<Outcome> outcomes = run_anew(build, cases, limits, company);
+  keep_outcomes(build, identity, outcomes);
   return outcomes;
 }
 

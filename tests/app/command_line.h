@@ -1,6 +1,6 @@
 #pragma once
 
-// Calls the program as a person would, with a state folder of the test's own.
+// Calls the program as a person would, with state and cache folders of the test's own.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,6 +26,7 @@ class CommandLine : public testing::Test {
     folder_ = scratch_.path() / test->name();
     std::filesystem::create_directories(folder_);
     ::setenv("XDG_STATE_HOME", (scratch_.path() / "state").c_str(), 1);
+    ::setenv("XDG_CACHE_HOME", (scratch_.path() / "cache").c_str(), 1);
     ::unsetenv("MESHGRADE_CALLED_AS");
   }
 

@@ -51,7 +51,7 @@ def graded(program, name):
         file = pathlib.Path(scratch) / "report.json"
         said = subprocess.run(
             [program, "check", folder, *exercises, "--json", file],
-            env={**os.environ, "XDG_STATE_HOME": scratch}, text=True,
+            env={**os.environ, "XDG_STATE_HOME": scratch, "XDG_CACHE_HOME": scratch}, text=True,
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
         if said.returncode not in (0, 1):
             sys.exit(f"check {KEPT[name]} ended with {said.returncode}:\n{said.stdout}")

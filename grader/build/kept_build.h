@@ -1,0 +1,56 @@
+#pragma once
+
+// What was compiled once need not be compiled again.
+
+#include <optional>
+#include <string>
+
+#include "grader/build/build.h"
+
+namespace meshgrade {
+
+/// Digest of all that a build comes from.
+std::string identity_of_build(const Submission& submission, const Home& home,
+                              const Limits& limits, BuildKind kind);
+
+/// The build of this identity, out of what the home has kept.
+std::optional<Build> find_kept_build(const Home& home, const std::string& identity,
+                                     BuildKind kind);
+
+/// Keeps a build if the same submission would be built the same again: not where a compiler
+/// broke or a file took too long.
+void keep_build(const Build& build);
+
+/// One run of the compiler: what it said, and the object that it made.
+struct CompiledUnit {
+  std::string messages;
+  std::string object;
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(messages, object);
+  }
+};
+
+/// Objects of earlier builds of about the same files.
+class KeptObjects {
+ public:
+  KeptObjects(const Submission& submission, const Home& home, BuildKind kind);
+
+  std::optional<CompiledUnit> find(const std::vector<SourceFile>& unit) const;
+  void keep(const std::vector<SourceFile>& unit, const CompiledUnit& compiled) const;
+
+  /// The files that this one was compiled together with: their digests, in order. Empty if it
+  /// is new.
+  std::vector<std::string> unit_of(const SourceFile& file) const;
+  /// Of a file, as in unit_of().
+  std::string digest_of(const SourceFile& file) const;
+
+ private:
+  std::string key_of(const std::vector<SourceFile>& unit) const;
+
+  std::shared_ptr<const KeptWork> kept_;
+  std::string surroundings_;
+};
+
+}  // namespace meshgrade
