@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <numeric>
 
 #include "grader/app/compile_blame.h"
 #include "grader/app/dialect_fit.h"
@@ -46,6 +47,17 @@ void run_again(const Assignment& assignment, const Home& home, const Candidate& 
                      judge_needed(assignment, home, candidate, rubric, asked), run);
 }
 
+/// Exercises that need others work on the largest meshes: begun last, they would be waited for
+/// while the other cores have nothing left to do.
+std::vector<std::size_t> longest_first(const std::vector<const ExerciseRubric*>& exercises) {
+  std::vector<std::size_t> order(exercises.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return exercises[a]->needs.size() > exercises[b]->needs.size();
+  });
+  return order;
+}
+
 ExerciseRun run_case(const Assignment& assignment, const Home& home, const Candidate& candidate,
                      const Case& asked) {
   const ExerciseRubric& rubric = *assignment.find(asked.exercise);
@@ -84,8 +96,10 @@ Report grade(const Assignment& given, const Submission& submission, const Home& 
   const Build build = build_submission(submission, home, assignment.limits);
   const Candidate candidate{submission, build};
   std::vector<ExerciseRun> runs(chosen.size());
+  const std::vector<std::size_t> order = longest_first(chosen);
   std::mutex telling;
-  in_parallel(cores_of(home), chosen.size(), [&](std::size_t i) {
+  in_parallel(cores_of(home), chosen.size(), [&](std::size_t turn) {
+    const std::size_t i = order[turn];
     {
       const std::lock_guard lock(telling);
       progress(chosen[i]->name);

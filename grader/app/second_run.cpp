@@ -1,6 +1,7 @@
 #include "grader/app/second_run.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "grader/base/text.h"
 #include "grader/build/member_splice.h"
@@ -27,10 +28,13 @@ struct Question {
 };
 
 /// Whether this one case passes, in a process of its own.
+/// @param before  its verdict with other functions
 bool passes_alone(const Assignment& assignment, const Home& home, const Candidate& candidate,
-                  const ExerciseRubric& rubric, const Case& asked) {
+                  const ExerciseRubric& rubric, const Case& asked, Verdict before) {
+  const Limits limits =
+      before == Verdict::kOutOfTime ? less_time(assignment.limits) : assignment.limits;
   const std::vector<Outcome> outcomes =
-      run_cases(candidate.build, {&asked}, assignment.limits, Company::kTogether);
+      run_cases(candidate.build, {&asked}, limits, Company::kTogether);
   return passed_cases(judge_exercise(assignment, home, candidate, rubric, {asked}, outcomes)) ==
          1;
 }
@@ -45,19 +49,26 @@ bool is_right_outcome(const Question& question, const Case& asked, const Outcome
              .verdict == Verdict::kPassed;
 }
 
+bool is_endless(const ExerciseRun& run) {
+  return std::any_of(run.outcomes.begin(), run.outcomes.end(),
+                     [](const Outcome& o) { return o.ending == Ending::kOutOfTime; });
+}
+
 /// Puts the cases that did not pass through the worker with stand-ins, and judges all anew.
 /// Those that did pass count as they came; but one that passes alone with the same stand-ins,
 /// and fails after other cases, does so by what the student's function keeps from call to call.
 JudgedExercise judge_second(const Question& question, const Candidate& candidate) {
   const ExerciseRun& first = question.first;
-  std::vector<Outcome> outcomes = run_cases(candidate.build, pointers_to(first.cases),
-                                            question.assignment.limits, Company::kTogether);
+  const Limits& limits = question.assignment.limits;
+  std::vector<Outcome> outcomes =
+      run_cases(candidate.build, pointers_to(first.cases),
+                is_endless(first) ? less_time(limits) : limits, Company::kTogether);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const Case& asked = first.cases[i];
     if (first.judged.cases[i].judgement.verdict != Verdict::kPassed) continue;
     const bool keeps_state = !is_right_outcome(question, asked, outcomes[i]) &&
                              passes_alone(question.assignment, question.home, candidate,
-                                          *first.judged.rubric, asked);
+                                          *first.judged.rubric, asked, Verdict::kPassed);
     if (!keeps_state) outcomes[i] = first.outcomes[i];
   }
   return judge_exercise(question.assignment, question.home, candidate, *first.judged.rubric,
@@ -84,8 +95,10 @@ void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
   if (!changed) return;
   const Build build = build_submission(*changed, home, assignment.limits);
   if (!has_stand_ins(build, stand_in)) return;
-  if (!passes_alone(assignment, home, {*changed, build}, *run.judged.rubric, asked)) return;
-  if (passes_alone(assignment, home, candidate, *run.judged.rubric, asked)) return;
+  const ExerciseRubric& own = *run.judged.rubric;
+  const Verdict before = failed->judgement.verdict;
+  if (!passes_alone(assignment, home, {*changed, build}, own, asked, before)) return;
+  if (passes_alone(assignment, home, candidate, own, asked, before)) return;
   run.judged.notes.push_back("with a right " + rubric.name + " in place of yours, " +
                              asked.id() + " passes: your " + rubric.name +
                              " is right on its own, but leaves something else than this code "
@@ -136,26 +149,30 @@ std::vector<OtherStandIns> other_stand_ins(const Assignment& assignment,
 }
 
 /// The case that a right solution with other choices may save: the first that ran and failed.
-const Case* first_failed(const Question& question, const JudgedExercise& judged) {
+std::optional<JudgedCase> first_failed(const Question& question, const JudgedExercise& judged) {
   for (std::size_t i = 0; i < judged.cases.size(); ++i) {
-    if (!judged.cases[i].judgement.findings.empty()) return &question.first.cases[i];
+    if (judged.cases[i].judgement.findings.empty()) continue;
+    JudgedCase failed = judged.cases[i];
+    failed.asked = question.first.cases[i];  // as it was before it was made smaller
+    return failed;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 /// What the contract of the stand-ins leaves open may be what the student's code relies on: it
 /// is right if it is so with one of them. Only the first failing case is asked each time.
 void try_other_choices(const Question& question, const std::vector<StandIn>& stand_ins,
                        SecondRun& best) {
-  const Case* failed = first_failed(question, best.judged);
-  if (failed == nullptr) return;
+  const std::optional<JudgedCase> failed = first_failed(question, best.judged);
+  if (!failed) return;
   for (const OtherStandIns& other : other_stand_ins(question.assignment, stand_ins)) {
     const auto changed = with_stand_ins(question.submission, question.home, other.stand_ins);
     if (!changed) continue;
     const Build build = build_submission(*changed, question.home, question.assignment.limits);
     const Candidate candidate{*changed, build};
     if (!passes_alone(question.assignment, question.home, candidate,
-                      *question.first.judged.rubric, *failed)) {
+                      *question.first.judged.rubric, failed->asked,
+                      failed->judgement.verdict)) {
       continue;
     }
     JudgedExercise judged = judge_second(question, candidate);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <atomic>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <vector>
 
@@ -70,10 +69,12 @@ KeptFiles::KeptFiles(fs::path folder, std::uint64_t most)
 std::optional<std::string> KeptFiles::find(const std::string& key) const {
   if (!works_) return std::nullopt;
   const fs::path file = folder_ / sha256(key);
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  const std::string all{std::istreambuf_iterator<char>(stream), {}};
   std::error_code ignored;
+  const std::uintmax_t size = fs::file_size(file, ignored);
+  if (ignored) return std::nullopt;
+  std::string all(size, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream.read(all.data(), static_cast<std::streamsize>(all.size()))) return std::nullopt;
   const std::string bytes = all.substr(std::min(kDigestSize, all.size()));
   if (all.compare(0, kDigestSize, seal_of(key, bytes)) != 0) {
     fs::remove(file, ignored);

@@ -14,7 +14,7 @@
 
 namespace meshgrade {
 
-constexpr std::uint32_t kProtocolVersion = 3;
+constexpr std::uint32_t kProtocolVersion = 4;
 
 /// One case for the worker: the exercise, the packed input, and the limits.
 struct Task {
@@ -24,10 +24,11 @@ struct Task {
   std::uint32_t cpu_ms = 0;       ///< processor time
   std::uint32_t wall_ms = 0;      ///< time on the clock
   std::uint32_t family = 0;  ///< tasks of one family call the same functions: see run_cases
+  std::uint32_t calls = 0;   ///< the same in all tasks that call the same functions
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(exercise, input, step_budget, cpu_ms, wall_ms, family);
+    wire(exercise, input, step_budget, cpu_ms, wall_ms, family, calls);
   }
 };
 
@@ -95,7 +96,8 @@ struct EndFrame {
 /// A frame begins with its kind.
 enum class FrameKind : std::uint32_t { kStep = 0, kEnd = 1 };
 
-/// After so many tasks of a family that ran out of time the worker gives up on the rest of it.
+/// After so many tasks of a family that ran out of time the worker gives up on the rest of it;
+/// one earlier where it has given up another one that calls the same functions.
 constexpr std::uint32_t kMostTimeouts = 3;
 
 /// The most that is kept of what a student's code prints in one case.

@@ -48,6 +48,18 @@ std::string read_all(int file, std::uint64_t most) {
   return bytes;
 }
 
+/// Numbers for the lists of functions that cases call, from 0 in the order of their first
+/// cases.
+std::vector<std::uint32_t> numbers_of_calls(const std::vector<const Case*>& cases) {
+  std::map<std::vector<std::string>, std::uint32_t> numbers;
+  std::vector<std::uint32_t> calls;
+  for (const Case* c : cases) {
+    const auto next = static_cast<std::uint32_t>(numbers.size());
+    calls.push_back(numbers.try_emplace(c->calls, next).first->second);
+  }
+  return calls;
+}
+
 /// The number of the family of each case, from 0 in the order of their first cases.
 std::vector<std::uint32_t> families_of(const std::vector<const Case*>& cases) {
   std::map<std::pair<std::string, std::vector<std::string>>, std::uint32_t> numbers;
@@ -61,11 +73,11 @@ std::vector<std::uint32_t> families_of(const std::vector<const Case*>& cases) {
 }
 
 /// The processor time of a case, in milliseconds: the whole limit is for the largest meshes,
-/// and two fifths of it are hundreds of times what a good solution needs in the others.
+/// and a fifth of it is hundreds of times what a good solution needs in the others.
 std::uint32_t cpu_limit(const Case& c, const Limits& limits) {
-  constexpr std::uint64_t kLeast = 500;
+  constexpr std::uint64_t kLeast = 250;
   constexpr std::uint64_t kStepsPerMillisecond = 10'000;
-  const std::uint64_t share = std::max(kLeast, std::uint64_t{limits.case_cpu_ms} * 2 / 5);
+  const std::uint64_t share = std::max(kLeast, std::uint64_t{limits.case_cpu_ms} / 5);
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(
       limits.case_cpu_ms, share + c.step_budget / kStepsPerMillisecond));
 }
@@ -78,10 +90,11 @@ TaskList make_tasks(const std::vector<const Case*>& cases, const Limits& limits,
   list.result_bytes = limits.result_mb * kMegabyte;
   list.output_bytes = limits.output_mb * kMegabyte;
   const std::vector<std::uint32_t> families = families_of(cases);
+  const std::vector<std::uint32_t> calls = numbers_of_calls(cases);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Case& c = *cases[i];
     list.tasks.push_back({c.exercise, c.input, c.step_budget, cpu_limit(c, limits),
-                          limits.case_wall_ms, families[i]});
+                          limits.case_wall_ms, families[i], calls[i]});
   }
   return list;
 }
@@ -343,12 +356,16 @@ std::vector<Outcome> run_anew(const Build& build, const std::vector<const Case*>
   for (std::size_t i = 0; i < cases.size(); ++i) {
     if (together[i] && outcomes[i].ending == Ending::kSkipped) given_up.insert(families[i]);
   }
+  const bool hurried = std::any_of(outcomes.begin(), outcomes.end(), [](const Outcome& o) {
+    return o.ending == Ending::kOutOfTime;
+  });
   std::vector<bool> fresh(cases.size());
   for (std::size_t i = 0; i < cases.size(); ++i) {
     fresh[i] = cases[i]->fresh && given_up.count(families[i]) == 0;
     if (cases[i]->fresh) outcomes[i].ending = Ending::kSkipped;
   }
-  run_marked(build, cases, fresh, limits, Company::kAlone, outcomes);
+  run_marked(build, cases, fresh, hurried ? less_time(limits) : limits, Company::kAlone,
+             outcomes);
   return outcomes;
 }
 
@@ -362,6 +379,11 @@ std::string tasks_of(const std::vector<const Case*>& cases, const Limits& limits
 }
 
 }  // namespace
+
+Limits less_time(Limits limits) {
+  limits.case_cpu_ms = limits.case_cpu_ms == 0 ? 0 : std::max(1U, limits.case_cpu_ms / 4);
+  return limits;
+}
 
 std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
                                const Limits& limits, Company company) {

@@ -17,6 +17,10 @@ enum class Company { kTogether, kAlone };
 FileDescriptor make_task_file(const std::vector<const Case*>& cases, const Limits& limits,
                               Company company);
 
+/// The limits of a run after another one that has waited for code without an end. A good
+/// solution needs a hundredth of them.
+Limits less_time(Limits limits);
+
 /// Runs all cases in one worker, one after the other; `fresh` ones in a second one, each in a
 /// process of its own. A case that kills the worker loses only itself. What the student's code
 /// does is never the grader's fault: the result has one Outcome for each case, whatever

@@ -189,7 +189,7 @@ void run_task(const Task& task, const Patience& patience) {
   Recorder recorder;
   running.recorder = &recorder;
   meshedit::detail::steps_left = static_cast<std::int64_t>(task.step_budget);
-  set_timer(patience.limit(task, task.cpu_ms));
+  set_timer(patience.cpu_limit(task));
   EndFrame frame;
   try {
     run_exercise(task, recorder);

@@ -47,7 +47,7 @@ bool watch(pid_t child, int life_line, const TaskList& list, const Patience& pat
   for (;;) {
     const std::uint32_t task = shared.tasks_done;
     const std::uint32_t limit = task < list.tasks.size()
-                                    ? patience.limit(list.tasks[task], list.tasks[task].wall_ms)
+                                    ? patience.wall_limit(list.tasks[task])
                                     : 1000;
     pollfd death{life_line, POLLIN, 0};
     const int ready = ::poll(&death, 1, static_cast<int>(limit));
@@ -136,9 +136,9 @@ bool run_some(const TaskList& list, Patience& patience, SharedState& shared) {
   if (shared.tasks_done >= list.tasks.size()) return false;
   const bool recorded = WIFEXITED(status) && WEXITSTATUS(status) == kTaskRecordedStatus;
   if (recorded && !overdue && shared.tasks_done > first) return true;
-  const std::uint32_t family = list.tasks[shared.tasks_done].family;
+  const Task& task = list.tasks[shared.tasks_done];
   if (record_death(list, shared, status, overdue) == Ending::kOutOfTime) {
-    patience.note_timeout(family);
+    patience.note_timeout(task);
   }
   return shared.tasks_done < list.tasks.size();
 }

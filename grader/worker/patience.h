@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 
 #include "grader/base/protocol.h"
 
@@ -14,28 +15,44 @@ namespace meshgrade {
 /// Which families of tasks have run out of time, and what the others may take.
 class Patience {
  public:
-  void note_timeout(std::uint32_t family) { ++timeouts_[family]; }
-
-  /// Whether tasks of this family are not run any more.
-  bool is_used_up(std::uint32_t family) const {
-    const auto found = timeouts_.find(family);
-    return found != timeouts_.end() && found->second >= kMostTimeouts;
+  void note_timeout(const Task& task) {
+    if (++timeouts_[task.family] >= most_timeouts(task)) used_up_.insert(task.family);
+    if (used_up_.count(task.family) != 0) endless_.insert(task.calls);
   }
 
-  /// What is left of a time limit of a task, in milliseconds: after the first timeout a
-  /// quarter, and what its steps may take. That is still hundreds of times what a good solution
-  /// needs. 0, no limit, stays 0.
-  std::uint32_t limit(const Task& task, std::uint32_t milliseconds) const {
-    if (timeouts_.empty()) return milliseconds;
-    constexpr std::uint32_t kLeast = 500;
-    constexpr std::uint64_t kStepsPerMillisecond = 10'000;
-    const std::uint64_t hurried =
-        std::max(kLeast, milliseconds / 4) + task.step_budget / kStepsPerMillisecond;
-    return static_cast<std::uint32_t>(std::min<std::uint64_t>(milliseconds, hurried));
+  /// Whether tasks of this family are not run any more.
+  bool is_used_up(std::uint32_t family) const { return used_up_.count(family) != 0; }
+
+  /// What a task may take of the processor, in milliseconds: after the first timeout a quarter
+  /// of its limit, and where a family of the same functions was given up a tenth; and what its
+  /// steps may take. A good solution needs a hundredth of that. 0, no limit, stays 0.
+  std::uint32_t cpu_limit(const Task& task) const {
+    if (timeouts_.empty()) return task.cpu_ms;
+    const bool endless = endless_.count(task.calls) != 0;
+    return endless ? hurried(task, task.cpu_ms, 100, 10) : hurried(task, task.cpu_ms, 250, 4);
+  }
+
+  /// The same on the clock, where others may take the processor away.
+  std::uint32_t wall_limit(const Task& task) const {
+    return timeouts_.empty() ? task.wall_ms : hurried(task, task.wall_ms, 500, 4);
   }
 
  private:
+  static std::uint32_t hurried(const Task& task, std::uint32_t limit, std::uint32_t least,
+                               std::uint32_t part) {
+    constexpr std::uint64_t kStepsPerMillisecond = 100'000;
+    const std::uint64_t left =
+        std::max(least, limit / part) + task.step_budget / kStepsPerMillisecond;
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(limit, left));
+  }
+
+  std::uint32_t most_timeouts(const Task& task) const {
+    return endless_.count(task.calls) != 0 ? kMostTimeouts - 1 : kMostTimeouts;
+  }
+
   std::map<std::uint32_t, std::uint32_t> timeouts_;  ///< by family
+  std::set<std::uint32_t> used_up_;                  ///< families
+  std::set<std::uint32_t> endless_;                  ///< Task::calls of those
 };
 
 }  // namespace meshgrade
