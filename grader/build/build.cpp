@@ -2,38 +2,21 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <map>
 #include <thread>
 
 #include "grader/base/errors.h"
 #include "grader/base/parallel.h"
-#include "grader/base/safe_file.h"
 #include "grader/build/added_members.h"
 #include "grader/build/joining.h"
 #include "grader/build/kept_build.h"
 #include "grader/build/link_worker.h"
 #include "grader/build/member_splice.h"
 #include "grader/build/tool_words.h"
-#include "grader/build/workshop.h"
+#include "grader/build/unit_compiler.h"
 #include "grader/submission/course_files.h"
 
 namespace meshgrade {
 namespace {
-
-namespace fs = std::filesystem;
-
-const char* flags_file(BuildKind kind) {
-  switch (kind) {
-    case BuildKind::kSanitized:
-      return "flags_sanitize.txt";
-    case BuildKind::kDebug:
-      return "flags_debug.txt";
-    case BuildKind::kGrading:
-      break;
-  }
-  return "flags.txt";
-}
 
 /// What connects a homework for Berkeley's skeleton with the worker. Where the student's header
 /// does not compile, neither do they, and the functions behind them are "not implemented".
@@ -50,20 +33,13 @@ std::vector<std::string> adapter_files(Dialect dialect) {
   return {};
 }
 
-void write_object(const fs::path& file, const std::string& bytes) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << bytes;
-  if (!stream.flush()) throw GraderError("cannot write " + file.string());
-}
-
 class Builder {
  public:
   Builder(const Submission& submission, const Home& home, const Limits& limits, BuildKind kind)
       : submission_(submission),
         home_(home),
         limits_(limits),
-        flags_("@" + (home.kit / flags_file(kind)).string()),
-        objects_kept_(submission, home, kind) {
+        compiler_(submission, home, limits, kind, splice_, build_.folder.path()) {
     build_.sandbox = home.sandbox;
     if (kind == BuildKind::kSanitized) build_.logs.emplace();
   }
@@ -84,8 +60,6 @@ class Builder {
  private:
   static constexpr const char* kWorker = "worker";
   static constexpr const char* kDriver = "driver.o";
-  static constexpr const char* kProbe = "probe.cpp";
-  static constexpr const char* kJoined = "~joined.cpp";
   static constexpr int kRounds = 8;
 
   using Unit = std::vector<std::size_t>;  ///< places of files that are compiled as one
@@ -95,7 +69,11 @@ class Builder {
     const std::vector<Unit> units = divide();
     const std::size_t drivers = splice_.empty() ? 0 : 1;
     in_parallel(cores_of(home_), units.size() + drivers, [&](std::size_t i) {
-      i < units.size() ? compile_unit(units[i]) : compile_driver();
+      if (i < units.size()) {
+        compile_unit(units[i]);
+      } else {
+        driver_ok_ = compiler_.compile_driver(kDriver).ok();
+      }
     });
   }
 
@@ -113,59 +91,22 @@ class Builder {
     for (const std::string& adapter : adapter_files(submission_.dialect))
       build_.files.emplace_back().name = "~" + adapter;  // no submitted file can have this name
     objects_.assign(build_.files.size(), "");
-    make_workshops(build_.files.size());
   }
 
-  /// What is compiled at a time: a unit for each core of what can be joined, the rest alone.
+  /// What is compiled at a time: units of what can be joined, the rest alone.
   std::vector<Unit> divide() const {
     std::vector<SourceFile> sources;
     for (std::size_t i = 0; i < rests_.size(); ++i)
-      sources.push_back({build_.files[i].name, rests_[i].text()});
+      sources.push_back(rest_of(i));
     const Unit joined = home_.joins_files ? joinable(sources, submission_.headers) : Unit();
-    std::vector<Unit> units = units_of_before(sources, joined);
-    Unit changed;
-    Unit neighbours;  // of what has changed: they were in a unit with it
-    for (std::size_t i : joined) {
-      if (is_in_any(i, units)) continue;
-      (objects_kept_.unit_of(sources[i]).empty() ? changed : neighbours).push_back(i);
-    }
-    for (Unit& unit : share_out(changed, cores_of(home_)))
-      units.push_back(std::move(unit));
-    if (!neighbours.empty()) units.push_back(neighbours);
+    std::vector<Unit> units = compiler_.divide(sources, joined);
     for (std::size_t i = 0; i < build_.files.size(); ++i) {
       if (std::find(joined.begin(), joined.end(), i) == joined.end()) units.push_back({i});
     }
     return units;
   }
 
-  static bool is_in_any(std::size_t file, const std::vector<Unit>& units) {
-    return std::any_of(units.begin(), units.end(), [&](const Unit& unit) {
-      return std::find(unit.begin(), unit.end(), file) != unit.end();
-    });
-  }
-
-  /// Units of an earlier build whose files are all here and unchanged.
-  std::vector<Unit> units_of_before(const std::vector<SourceFile>& sources,
-                                    const Unit& joined) const {
-    std::map<std::string, std::size_t> place;
-    for (std::size_t i : joined)
-      place[objects_kept_.digest_of(sources[i])] = i;
-    std::vector<Unit> units;
-    for (std::size_t i : joined) {
-      if (is_in_any(i, units)) continue;
-      Unit unit;
-      for (const std::string& digest : objects_kept_.unit_of(sources[i])) {
-        const auto found = place.find(digest);
-        if (found == place.end()) {
-          unit.clear();
-          break;
-        }
-        unit.push_back(found->second);
-      }
-      if (!unit.empty()) units.push_back(std::move(unit));
-    }
-    return units;
-  }
+  SourceFile rest_of(std::size_t i) const { return {build_.files[i].name, rests_[i].text()}; }
 
   void compile_unit(const Unit& unit) {
     if (unit.size() > 1 && compile_joined(unit)) return;
@@ -175,18 +116,11 @@ class Builder {
 
   /// @return false if the compiler has anything to say: then each file has to hear it alone
   bool compile_joined(const Unit& unit) {
-    const std::size_t first = unit.front();
-    std::vector<std::string> names;
-    for (std::size_t i : unit) {
-      names.push_back(build_.files[i].name);
-      workshops_[first].put(names.back(), rests_[i].text());
-    }
-    workshops_[first].put(kJoined, joined_source(names));
-    const std::string object = "~" + std::to_string(first) + ".o";
+    const std::string object = "~" + std::to_string(unit.front()) + ".o";
     std::vector<SourceFile> sources;
     for (std::size_t i : unit)
-      sources.push_back({build_.files[i].name, rests_[i].text()});
-    const ProcessResult result = compile(first, kJoined, object, sources);
+      sources.push_back(rest_of(i));
+    const ProcessResult result = compiler_.compile(sources, object);
     if (!result.ok() || !result.output.empty()) return false;
     for (std::size_t i : unit) {
       build_.files[i].ok = true;
@@ -198,14 +132,7 @@ class Builder {
   /// Takes out of the splice what does not compile.
   void settle_splice() {
     for (int round = 0; !splice_.empty(); ++round) {
-      Workshop workshop(home_, limits_);
-      put_headers(workshop);
-      workshop.put(kProbe, "");
-      std::vector<std::string> arguments{home_.compiler, flags_};
-      add_headers(arguments);
-      add_later(arguments);
-      arguments.insert(arguments.end(), {"-c", kProbe, "-o", "probe.o"});
-      const ProcessResult result = workshop.run(std::move(arguments), "probe.o");
+      const ProcessResult result = compiler_.try_headers();
       if (result.ok()) return;
       if (round == kRounds || result.stopped()) {
         splice_.drop_all("they do not compile");
@@ -257,93 +184,8 @@ class Builder {
         left.function + " is not judged");
   }
 
-  /// One for each file, since several are compiled at a time.
-  void make_workshops(std::size_t count) {
-    workshops_.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-      workshops_.emplace_back(home_, limits_);
-      put_headers(workshops_[i]);
-    }
-  }
-
-  void put_headers(const Workshop& workshop) const {
-    for (const SourceFile& header : submission_.headers)
-      workshop.put(header.name, header.text);
-    if (splice_.empty()) return;
-    for (const SourceFile& header : splice_.files())
-      workshop.put(header.name, header.text);
-  }
-
   std::chrono::seconds time_limit() const {
     return std::chrono::seconds(limits_.compile_seconds);
-  }
-
-  /// Compiles a file in its workshop, and takes the object out of it; or takes the object that
-  /// was kept.
-  /// @param unit  all that the file is made of
-  ProcessResult compile(std::size_t i, const std::string& file, const std::string& object,
-                        const std::vector<SourceFile>& unit) const {
-    if (!splice_.empty()) return compile_anew(i, file, object);
-    const std::filesystem::path place = build_.folder.path() / object;
-    if (const auto found = objects_kept_.find(unit)) {
-      write_object(place, found->object);
-      ProcessResult result;
-      result.output = found->messages;
-      return result;
-    }
-    ProcessResult result = compile_anew(i, file, object);
-    if (result.ok() && home_.kept)
-      objects_kept_.keep(unit, {result.output, read_whole_file(place)});
-    return result;
-  }
-
-  ProcessResult compile_anew(std::size_t i, const std::string& file,
-                             const std::string& object) const {
-    const StageTimer timer(home_.times.get(), "compile");
-    std::vector<std::string> arguments{
-        home_.compiler, flags_, "-ffile-prefix-map=" + workshops_[i].folder().string() + "=."};
-    add_headers(arguments);
-    if (!splice_.empty() && i < rests_.size()) add_later(arguments);
-    arguments.insert(arguments.end(), {"-c", file, "-o", object});
-    ProcessResult result = workshops_[i].run(std::move(arguments), object);
-    if (result.ok()) workshops_[i].hand_over(object, build_.folder.path());
-    return result;
-  }
-
-  /// The folders to look in, and what comes before every source.
-  void add_headers(std::vector<std::string>& arguments) const {
-    // First what was handed in: the dropin folder has headers to stand in for the student's.
-    arguments.insert(arguments.end(), {"-I.", "-I" + home_.include.string(), "-include"});
-    if (splice_.empty()) {
-      arguments.push_back(home_.kit / "precompiled.h");
-    } else {
-      arguments.insert(arguments.end(), {home_.include / "meshedit" / "meshedit.h",
-                                         "-DMESHEDIT_ADDED", "-DMESHEDIT_ADDED_FUNCTIONS"});
-    }
-    if (submission_.dialect == Dialect::kMeshedit) return;
-    const fs::path dropin = home_.include / "dropin";
-    const bool old = submission_.dialect == Dialect::kCourse2017;
-    arguments.insert(arguments.end(), {"-I" + dropin.string(), "-include",
-                                       dropin / (old ? "course_2017.h" : "course.h")});
-  }
-
-  static void add_later(std::vector<std::string>& arguments) {
-    arguments.insert(arguments.end(), {"-include", MemberSplice::kLater});
-  }
-
-  /// What of the worker sees the elements, with the members of this submission. It takes the
-  /// place of the same functions in the worker's library.
-  void compile_driver() {
-    const Workshop workshop(home_, limits_);
-    put_headers(workshop);
-    const fs::path driver = home_.kit / "driver";
-    const ProcessResult result = workshop.run(
-        {home_.compiler, "@" + (home_.kit / "flags.txt").string(), "-DMESHEDIT_ADDED", "-I.",
-         "-I" + home_.include.string(), "-I" + driver.string(), "-c",
-         driver / "grader" / "worker" / "mesh_driver.cpp", "-o", kDriver},
-        kDriver);
-    driver_ok_ = result.ok();
-    if (driver_ok_) workshop.hand_over(kDriver, build_.folder.path());
   }
 
   /// @return whether everything has to be compiled again, without the members
@@ -379,10 +221,8 @@ class Builder {
   ProcessResult compile_rest(std::size_t i) {
     BuiltFile& file = build_.files[i];
     objects_[i] = file.name + ".o";
-    workshops_[i].put(file.name, rests_[i].text());
-    const std::vector<SourceFile> alone{{file.name, rests_[i].text()}};
-    ProcessResult result = compile(i, file.name, objects_[i], alone);
-    if (is_dead_compiler(result)) result = compile(i, file.name, objects_[i], alone);
+    ProcessResult result = compiler_.compile({rest_of(i)}, objects_[i]);
+    if (is_dead_compiler(result)) result = compiler_.compile({rest_of(i)}, objects_[i]);
     file.ok = result.ok();
     file.compiler_died = is_dead_compiler(result);
     file.left_out = file.ok ? rests_[i].left_out() : std::vector<LeftOut>();
@@ -392,8 +232,7 @@ class Builder {
   void compile_adapter(std::size_t i) {
     BuiltFile& file = build_.files[i];
     objects_[i] = file.name + ".o";
-    const std::string adapter = home_.include / "dropin" / file.name.substr(1);
-    file.ok = compile(i, adapter, objects_[i], {{file.name, ""}}).ok();
+    file.ok = compiler_.compile_adapter(file.name, objects_[i]).ok();
   }
 
   /// Links the worker with these sources' objects.
@@ -405,7 +244,7 @@ class Builder {
       if (std::find(objects.begin(), objects.end(), objects_[i]) == objects.end())
         objects.push_back(objects_[i]);
     }
-    return link_worker(workshop, home_, flags_,
+    return link_worker(workshop, home_, compiler_.flags(),
                        {objects, splice_.empty() ? "" : kDriver, kWorker});
   }
 
@@ -480,14 +319,12 @@ class Builder {
   const Submission& submission_;
   const Home& home_;
   const Limits& limits_;
-  std::string flags_;
-  KeptObjects objects_kept_;
   Build build_;
   MemberSplice splice_;
+  UnitCompiler compiler_;
   bool driver_ok_ = false;
   std::vector<LeavingOut> rests_;     ///< of the sources
   std::vector<std::string> objects_;  ///< in which each file is; several may be in one
-  std::vector<Workshop> workshops_;
 };
 
 }  // namespace
@@ -505,12 +342,12 @@ const BuiltFile* Build::find(const std::string& name) const {
 
 Build build_submission(const Submission& submission, const Home& home, const Limits& limits,
                        BuildKind kind) {
-  const std::string identity = identity_of_build(submission, home, limits, kind);
-  if (auto kept = find_kept_build(home, identity, kind)) return std::move(*kept);
+  BuildOrigin origin = origin_of(submission, home, limits, kind);
+  if (auto kept = find_kept_build(home, origin, kind)) return std::move(*kept);
   Build build = Builder(submission, home, limits, kind).build();
   build.kept = home.kept;
   build.times = home.times;
-  build.identity = identity;
+  build.origin = std::move(origin);
   keep_build(build);
   return build;
 }

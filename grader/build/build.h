@@ -32,6 +32,13 @@ struct BuiltFile {
   }
 };
 
+/// What a worker comes from: of the program and the submission.
+struct BuildOrigin {
+  std::string surroundings;         ///< digest of all but the sources
+  std::vector<SourceFile> sources;  ///< of the submission
+  bool is_divisible = true;         ///< false if every file may have a part in every function
+};
+
 /// A worker that contains the student's functions; those that are missing answer "not
 /// implemented". The program lies in a scratch folder that lives as long as this value.
 struct Build {
@@ -43,7 +50,7 @@ struct Build {
 
   std::shared_ptr<StageTimes> times;     ///< as in Home
   std::shared_ptr<const KeptWork> kept;  ///< likewise
-  std::string identity;  ///< digest of all that the worker comes from; if something is kept
+  BuildOrigin origin;                    ///< if something is kept
 
   const BuiltFile* find(const std::string& name) const;
 };

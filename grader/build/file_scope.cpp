@@ -155,7 +155,10 @@ class Reader {
     const std::size_t begin = at_;
     while (at_ < words_.size() && understood_) {
       const std::string& here = word(at_);
-      if (here == ";") return;
+      if (here == ";") {
+        note_variables(begin);
+        return;
+      }
       if (here == "}") {
         understood_ = false;
       } else if (here == "(" || here == "[") {
@@ -174,6 +177,22 @@ class Reader {
         ++at_;
       }
     }
+  }
+
+  /// What ends with a semicolon and no body may be a variable, but for constants, types without
+  /// anything static, and other names for types.
+  void note_variables(std::size_t begin) {
+    const Words declaration(words_.begin() + static_cast<std::ptrdiff_t>(begin),
+                            words_.begin() + static_cast<std::ptrdiff_t>(at_));
+    const auto mentions = [&](const char* text) {
+      return std::find(declaration.begin(), declaration.end(), text) != declaration.end();
+    };
+    const bool ends_block = !declaration.empty() && declaration.back() == "}";
+    const bool is_type =
+        is_among(word(begin), {"struct", "class", "union", "enum"}) && ends_block;
+    const bool is_quiet = is_among(word(begin), {"using", "typedef", "constexpr"}) ||
+                          (is_type && !mentions("static"));
+    if (!is_quiet) scope_.acts_at_start = true;
   }
 
   /// The first parentheses must stand behind a type and a name: `double (*f)(int)`, `Foo (x)`

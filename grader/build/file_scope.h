@@ -17,6 +17,9 @@ struct FileScope {
   std::set<std::string> usings;    ///< "using namespace std"
   std::set<std::string> declares;  ///< names of functions, variables, types and namespaces
   std::set<std::string> words;     ///< all names that it mentions
+  /// Whether anything of it could run before one of its functions is called: it may hold
+  /// variables other than constants, or what looks like one.
+  bool acts_at_start = false;
 };
 
 FileScope read_file_scope(std::string_view text);

@@ -7,6 +7,7 @@
 #include "grader/base/errors.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/wire.h"
+#include "grader/build/reach.h"
 
 namespace meshgrade {
 namespace {
@@ -30,6 +31,13 @@ Digest surroundings_of(const Submission& submission, const Home& home, BuildKind
   return digest;
 }
 
+std::string identity_of_all(const BuildOrigin& origin) {
+  Digest digest;
+  digest.add(origin.surroundings).add("all");
+  add(origin.sources, digest);
+  return digest.hex();
+}
+
 struct KeptBuild {
   std::string worker;
   std::vector<BuiltFile> files;
@@ -42,21 +50,30 @@ struct KeptBuild {
 
 }  // namespace
 
-std::string identity_of_build(const Submission& submission, const Home& home,
-                              const Limits& limits, BuildKind kind) {
+BuildOrigin origin_of(const Submission& submission, const Home& home, const Limits& limits,
+                      BuildKind kind) {
   if (!home.kept) return {};
   Digest digest = surroundings_of(submission, home, kind);
   digest.add("build").add(std::to_string(limits.compile_seconds));
   digest.add(std::to_string(limits.compile_memory_mb)).add(std::to_string(limits.object_mb));
-  add(submission.sources, digest);
   add(submission.course_headers, digest);
+  // Members that a homework adds to the course's elements may be told from any of its files.
+  return {digest.hex(), submission.sources, submission.dialect == Dialect::kMeshedit};
+}
+
+std::string identity_of(const BuildOrigin& origin, const std::vector<std::string>& functions) {
+  if (!origin.is_divisible || functions.empty()) return identity_of_all(origin);
+  Digest digest;
+  digest.add(origin.surroundings);
+  for (std::size_t i : files_reached(origin.sources, functions))
+    digest.add(origin.sources[i].name).add(origin.sources[i].text);
   return digest.hex();
 }
 
-std::optional<Build> find_kept_build(const Home& home, const std::string& identity,
+std::optional<Build> find_kept_build(const Home& home, const BuildOrigin& origin,
                                      BuildKind kind) {
   if (!home.kept) return std::nullopt;
-  const std::optional<std::string> bytes = home.kept->files.find(identity);
+  const std::optional<std::string> bytes = home.kept->files.find(identity_of_all(origin));
   if (!bytes) return std::nullopt;
   Build build;
   try {
@@ -74,14 +91,14 @@ std::optional<Build> find_kept_build(const Home& home, const std::string& identi
   if (kind == BuildKind::kSanitized) build.logs.emplace();
   build.kept = home.kept;
   build.times = home.times;
-  build.identity = identity;
+  build.origin = origin;
   return build;
 }
 
 void keep_build(const Build& build) {
   const auto is_sure = [](const BuiltFile& file) { return file.ok && !file.compiler_died; };
   if (!build.kept || !std::all_of(build.files.begin(), build.files.end(), is_sure)) return;
-  build.kept->files.keep(build.identity,
+  build.kept->files.keep(identity_of_all(build.origin),
                          to_wire(KeptBuild{read_whole_file(build.worker), build.files}));
 }
 

@@ -9,12 +9,16 @@
 
 namespace meshgrade {
 
-/// Digest of all that a build comes from.
-std::string identity_of_build(const Submission& submission, const Home& home,
-                              const Limits& limits, BuildKind kind);
+/// What a build would come from; empty where nothing is kept.
+BuildOrigin origin_of(const Submission& submission, const Home& home, const Limits& limits,
+                      BuildKind kind);
 
-/// The build of this identity, out of what the home has kept.
-std::optional<Build> find_kept_build(const Home& home, const std::string& identity,
+/// Digest of what can have a part in these functions ("HalfedgeMesh::flipEdge"); of everything
+/// if none is named.
+std::string identity_of(const BuildOrigin& origin, const std::vector<std::string>& functions);
+
+/// The build of this origin, out of what the home has kept.
+std::optional<Build> find_kept_build(const Home& home, const BuildOrigin& origin,
                                      BuildKind kind);
 
 /// Keeps a build if the same submission would be built the same again: not where a compiler

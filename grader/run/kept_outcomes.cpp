@@ -5,6 +5,7 @@
 
 #include "grader/base/digest.h"
 #include "grader/base/wire.h"
+#include "grader/build/kept_build.h"
 
 namespace meshgrade {
 namespace {
@@ -43,12 +44,12 @@ bool is_sure(const Outcome& outcome) {
 
 }  // namespace
 
-std::string identity_of_run(const Build& build, const std::string& tasks,
-                            const Limits& limits) {
+std::string identity_of_run(const Build& build, const std::vector<std::string>& functions,
+                            const std::string& tasks, const Limits& limits) {
   // The sanitizers write what they find beside the outcomes.
   if (!build.kept || build.logs) return {};
   return Digest()
-      .add(build.identity)
+      .add(identity_of(build.origin, functions))
       .add("run")
       .add(std::to_string(limits.run_seconds))
       .add(std::to_string(limits.processes))

@@ -10,8 +10,10 @@
 namespace meshgrade {
 
 /// Digest of all that outcomes come from; empty where none are kept.
-/// @param tasks  the bytes that the worker reads
-std::string identity_of_run(const Build& build, const std::string& tasks, const Limits& limits);
+/// @param functions  that the cases call
+/// @param tasks      the bytes that the worker reads
+std::string identity_of_run(const Build& build, const std::vector<std::string>& functions,
+                            const std::string& tasks, const Limits& limits);
 
 /// Outcomes of the same tasks with the same worker, if they were kept.
 std::optional<std::vector<Outcome>> find_kept_outcomes(const Build& build,

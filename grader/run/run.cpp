@@ -369,6 +369,16 @@ std::vector<Outcome> run_anew(const Build& build, const std::vector<const Case*>
   return outcomes;
 }
 
+/// By all cases together; nothing if any of them does not say.
+std::vector<std::string> functions_called(const std::vector<const Case*>& cases) {
+  std::set<std::string> names;
+  for (const Case* c : cases) {
+    if (c->calls.empty()) return {};
+    names.insert(c->calls.begin(), c->calls.end());
+  }
+  return {names.begin(), names.end()};
+}
+
 /// All that the worker is told, and which cases get a process of their own.
 std::string tasks_of(const std::vector<const Case*>& cases, const Limits& limits,
                      Company company) {
@@ -381,14 +391,16 @@ std::string tasks_of(const std::vector<const Case*>& cases, const Limits& limits
 }  // namespace
 
 Limits less_time(Limits limits) {
-  limits.case_cpu_ms = limits.case_cpu_ms == 0 ? 0 : std::max(1U, limits.case_cpu_ms / 4);
+  constexpr std::uint32_t kLeast = 1000;  // milliseconds: largest meshes need a tenth of it
+  limits.case_cpu_ms = std::min(limits.case_cpu_ms, std::max(kLeast, limits.case_cpu_ms / 4));
   return limits;
 }
 
 std::vector<Outcome> run_cases(const Build& build, const std::vector<const Case*>& cases,
                                const Limits& limits, Company company) {
   if (!build.kept) return run_anew(build, cases, limits, company);
-  const std::string identity = identity_of_run(build, tasks_of(cases, limits, company), limits);
+  const std::string identity =
+      identity_of_run(build, functions_called(cases), tasks_of(cases, limits, company), limits);
   if (auto kept = find_kept_outcomes(build, identity)) return std::move(*kept);
   std::vector<Outcome> outcomes = run_anew(build, cases, limits, company);
   keep_outcomes(build, identity, outcomes);

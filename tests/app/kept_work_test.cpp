@@ -85,12 +85,15 @@ TEST_F(KeptWorkTest, TheSecondCheckOfTheSameFilesStartsNothingAndSaysTheSame) {
   expect_nothing_started(second);
 }
 
-TEST_F(KeptWorkTest, AfterOneChangedFileTheFilesAroundItAreNotCompiledAgain) {
+TEST_F(KeptWorkTest, AfterOneChangedFileOnlyThatIsCompiledAndOnlyWhatCallsItIsRun) {
   Submission submission = reference();
   check(submission);
   for (int save = 1; save <= 3; ++save) {
-    submission.sources.at(1).text += "// saved once more\n";
+    SourceFile& normal = submission.sources.at(5);
+    ASSERT_EQ(normal.name, "vertex_normal.cpp");
+    normal.text += "// saved once more\n";
     const Checked changed = check(submission);
+    EXPECT_EQ(changed.starts.workers, 2U);  // the cases, and those that need a fresh process
     // The first time its old neighbours are made into a unit without it.
     EXPECT_EQ(changed.starts.compilers, save == 1 ? 2U : 1U) << save;
     EXPECT_EQ(changed.starts.linkers, 1U);

@@ -6,6 +6,12 @@
 
 namespace meshgrade::bench {
 
+/// The programs of which `check` and `batch` are timed.
+struct Programs {
+  std::filesystem::path now;
+  std::filesystem::path before;  ///< of an older revision; may be empty
+};
+
 /// @throws GraderError if it dies or ends with a status above `most_status`
 void run_or_throw(std::vector<std::string> arguments, int most_status = 0);
 

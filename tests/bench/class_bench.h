@@ -1,7 +1,6 @@
 #pragma once
 
-#include <filesystem>
-
+#include "tests/bench/bare_compile.h"
 #include "tests/bench/results.h"
 
 namespace meshgrade::bench {
@@ -11,7 +10,7 @@ namespace meshgrade::bench {
 /// which is a CMake configuration, a build and a run of GoogleTest for each submission. A
 /// student's hand-in is the reference with one file taken from a known-wrong submission. Throws
 /// GraderError if one of the programs fails.
-Table run_class_bench(const std::filesystem::path& program, bool quick);
+Table run_class_bench(const Programs& programs, bool quick);
 
 std::vector<Goal> class_goals();
 

@@ -17,7 +17,7 @@ namespace {
 struct Arguments {
   Selection selection;
   std::string json;
-  std::string program = MESHGRADE_PROGRAM;
+  Programs programs{MESHGRADE_PROGRAM, ""};
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
@@ -29,14 +29,19 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--mesh", selection.meshes, "Only these meshes")
       ->check(CLI::IsMember({"1k", "20k", "330k", "330k shuffled", "1.3M"}));
   app.add_option("--json", arguments.json, "Write all samples and goals to this file as JSON");
-  app.add_option("--program", arguments.program,
+  app.add_option("--program", arguments.programs.now,
                  "The meshgrade program to time `check` and `batch` of")
+      ->check(CLI::ExistingFile);
+  app.add_option("--against-program", arguments.programs.before,
+                 "Another one, of an older revision, to take turns with it; --against REVISION "
+                 "builds it")
       ->check(CLI::ExistingFile);
   app.footer(
       "Examples:\n"
       "  meshgrade bench --quick\n"
       "  meshgrade bench --only loop memory --mesh 20k 330k\n"
       "  meshgrade bench --json bench.json\n"
+      "  meshgrade bench --only check class --against v1.4   beside an older revision\n"
       "Compare ratios, not times: the machine's other work is in the times. Goals that are\n"
       "missed do not change the exit code.");
 }
@@ -46,10 +51,10 @@ Results run(const Arguments& arguments) {
   keep_heap_warm();
   results.tables = run_mesh_bench(arguments.selection);
   if (arguments.selection.has_table("check")) {
-    results.tables.push_back(run_check_bench(arguments.program, arguments.selection.quick));
+    results.tables.push_back(run_check_bench(arguments.programs, arguments.selection.quick));
   }
   if (arguments.selection.has_table("class")) {
-    results.tables.push_back(run_class_bench(arguments.program, arguments.selection.quick));
+    results.tables.push_back(run_class_bench(arguments.programs, arguments.selection.quick));
   }
   std::vector<Goal> goals = mesh_goals();
   for (const auto& more : {check_goals(), class_goals()})
