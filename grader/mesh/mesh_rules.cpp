@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
+#include <cstdint>
+#include <unordered_map>
 #include <utility>
 
 namespace meshgrade {
@@ -15,6 +15,19 @@ constexpr std::size_t kMostBreaksPerRule = 8;
 std::string times(std::size_t n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
+
+/// The same for a, b and b, a.
+std::uint64_t pair_key(Ref a, Ref b) {
+  return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b);
+}
+
+struct HashOfCorners {
+  std::size_t operator()(const std::array<Ref, 3>& corners) const {
+    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15U;
+    return static_cast<std::size_t>((pair_key(corners[0], corners[1]) * kOdd + corners[2]) *
+                                    kOdd);
+  }
+};
 
 class RuleChecker {
  public:
@@ -64,11 +77,9 @@ class RuleChecker {
     }
   }
 
-  void require_live(bool live, const std::string& pointer, const char* kind,
-                    const std::string& target) {
-    if (live) return;
+  void report_dead(const std::string& pointer, const char* kind, const std::string& target) {
     report("live-pointer", pointer.substr(0, pointer.find('.')),
-           std::string(pointer) + " leads to a " + kind + " of this mesh",
+           pointer + " leads to a " + kind + " of this mesh",
            target == "unset" ? pointer + " was never set" : pointer + " leads to: " + target,
            pointer);
   }
@@ -76,26 +87,23 @@ class RuleChecker {
   template <class Records, class NameOf>
   void require_live_anchors(const Records& records, NameOf name_of) {
     for (Ref i = 0; i < records.size(); ++i) {
-      if (records[i].live == 0) continue;
-      require_live(live_halfedge(records[i].halfedge), name_of(i) + ".halfedge", "half-edge",
-                   halfedge_name(records[i].halfedge));
+      if (records[i].live == 0 || live_halfedge(records[i].halfedge)) continue;
+      report_dead(name_of(i) + ".halfedge", "half-edge", halfedge_name(records[i].halfedge));
     }
   }
 
   void check_live_pointers() {
     for_each_halfedge([&](Ref h, const HalfedgeRecord& r) {
-      const std::string name = halfedge_name(h);
-      if (!live_halfedge(r.next)) {
-        require_live(false, name + ".next", "half-edge", halfedge_name(r.next));
-      }
-      if (!live_halfedge(r.twin)) {
-        require_live(false, name + ".twin", "half-edge", halfedge_name(r.twin));
-      }
-      if (!live_vertex(r.vertex)) {
-        require_live(false, name + ".vertex", "vertex", vertex_name(r.vertex));
-      }
-      if (!live_edge(r.edge)) require_live(false, name + ".edge", "edge", edge_name(r.edge));
-      if (!live_face(r.face)) require_live(false, name + ".face", "face", face_name(r.face));
+      // Names only where there is something to say: large meshes have many half-edges.
+      const auto pointer = [h](const char* member) { return halfedge_name(h) + member; };
+      if (!live_halfedge(r.next))
+        report_dead(pointer(".next"), "half-edge", halfedge_name(r.next));
+      if (!live_halfedge(r.twin))
+        report_dead(pointer(".twin"), "half-edge", halfedge_name(r.twin));
+      if (!live_vertex(r.vertex))
+        report_dead(pointer(".vertex"), "vertex", vertex_name(r.vertex));
+      if (!live_edge(r.edge)) report_dead(pointer(".edge"), "edge", edge_name(r.edge));
+      if (!live_face(r.face)) report_dead(pointer(".face"), "face", face_name(r.face));
     });
     require_live_anchors(mesh_.vertices, vertex_name);
     require_live_anchors(mesh_.edges, edge_name);
@@ -105,12 +113,12 @@ class RuleChecker {
 
   void check_twins() {
     for_each_halfedge([&](Ref h, const HalfedgeRecord& r) {
-      if (!live_halfedge(r.twin)) return;
+      if (!live_halfedge(r.twin) || (r.twin != h && at(r.twin).twin == h)) return;
       const std::string name = halfedge_name(h);
       if (r.twin == h) {
         report("twin-involution", name, name + ".twin is another half-edge",
                name + ".twin is " + name + " itself", name + ".twin");
-      } else if (at(r.twin).twin != h) {
+      } else {
         report("twin-involution", name,
                name + ".twin is " + halfedge_name(r.twin) + ", so " + halfedge_name(r.twin) +
                    ".twin is " + name,
@@ -207,8 +215,8 @@ class RuleChecker {
         ++walked;
         h = at(h).next;
       } while (live_halfedge(h) && h != record.halfedge && walked <= limit);
-      const std::string name = face_name(f);
       if (h != record.halfedge) {
+        const std::string name = face_name(f);
         report("face-loop", name,
                "walking next from " + name + ".halfedge (" + halfedge_name(record.halfedge) +
                    ") comes back to it",
@@ -317,7 +325,8 @@ class RuleChecker {
   }
 
   void check_simple() {
-    std::map<std::pair<Ref, Ref>, Ref> edge_between;
+    std::unordered_map<std::uint64_t, Ref> edge_between;
+    edge_between.reserve(n_ / 2U);
     for_each_halfedge([&](Ref h, const HalfedgeRecord& r) {
       if (!live_halfedge(r.twin) || r.twin < h) return;
       const Ref a = r.vertex;
@@ -328,7 +337,7 @@ class RuleChecker {
                halfedge_name(h) + ".vertex and " + halfedge_name(r.twin) + ".vertex");
         return;
       }
-      const auto [place, is_new] = edge_between.try_emplace(std::minmax(a, b), r.edge);
+      const auto [place, is_new] = edge_between.try_emplace(pair_key(a, b), r.edge);
       if (is_new || place->second == r.edge) return;
       report("simple", edge_name(r.edge), "one edge at most between two vertices",
              edge_name(place->second) + " and " + edge_name(r.edge) + " both join " +
@@ -339,7 +348,8 @@ class RuleChecker {
   }
 
   void check_same_corners() {
-    std::map<std::array<Ref, 3>, Ref> face_with;
+    std::unordered_map<std::array<Ref, 3>, Ref, HashOfCorners> face_with;
+    face_with.reserve(mesh_.faces.size());
     for (Ref f = 0; f < mesh_.faces.size(); ++f) {
       const FaceRecord& r = mesh_.faces[f];
       if (r.live == 0 || !live_halfedge(r.halfedge)) continue;

@@ -19,7 +19,6 @@ namespace meshgrade {
 namespace {
 
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 /// How often programs were started.
 struct Starts {
