@@ -46,9 +46,8 @@ bool watch(pid_t child, int life_line, const TaskList& list, const Patience& pat
            const SharedState& shared) {
   for (;;) {
     const std::uint32_t task = shared.tasks_done;
-    const std::uint32_t limit = task < list.tasks.size()
-                                    ? patience.wall_limit(list.tasks[task])
-                                    : 1000;
+    const std::uint32_t limit =
+        task < list.tasks.size() ? patience.wall_limit(list.tasks[task]) : 1000;
     pollfd death{life_line, POLLIN, 0};
     const int ready = ::poll(&death, 1, static_cast<int>(limit));
     if (ready > 0) return false;
