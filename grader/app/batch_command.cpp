@@ -22,6 +22,7 @@
 #include "grader/app/require_sandbox.h"
 #include "grader/base/digest.h"
 #include "grader/base/errors.h"
+#include "grader/base/process_self.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
 #include "grader/batch/batch.h"
@@ -204,8 +205,7 @@ std::vector<std::string> names_of(const BatchCommandOptions& options) {
 /// How a task of a cluster calls this program.
 std::vector<std::string> task_command(const BatchCommandOptions& options) {
   const auto whole = [](const std::string& path) { return fs::absolute(path).string(); };
-  std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "batch",
-                                 whole(options.submissions)};
+  std::vector<std::string> words{program_file().string(), "batch", whole(options.submissions)};
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
   };

@@ -6,6 +6,7 @@
 
 #include "grader/base/digest.h"
 #include "grader/base/process.h"
+#include "grader/base/process_self.h"
 #include "grader/base/safe_file.h"
 
 namespace meshgrade {
@@ -37,11 +38,7 @@ std::string compiler_version(const std::string& compiler) {
 std::string grader_identity(const Home& home) {
   Digest digest;
   digest.add(compiler_version(home.compiler));
-#ifdef __linux__
-  digest.add(read_whole_file("/proc/self/exe"));
-#else
-  digest.add(__DATE__ __TIME__);
-#endif
+  digest.add(read_whole_file(program_file()));
   for (const fs::path& folder : {home.include, home.kit, home.meshes})
     add_files(folder, digest);
   return digest.hex();

@@ -14,6 +14,7 @@
 #include "grader/base/digest.h"
 #include "grader/base/errors.h"
 #include "grader/base/kept_files.h"
+#include "grader/base/process_self.h"
 #include "grader/base/safe_file.h"
 #include "grader/base/text.h"
 #include "grader/sandbox/system_paths.h"
@@ -143,8 +144,8 @@ void keep_in(const fs::path& place, const fs::path& shipped, const fs::path& inc
 
 fs::path installed_share() {
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (error) return {};
+  const fs::path program = program_file();
+  if (program.empty()) return {};
   const fs::path share = program.parent_path().parent_path() / "share" / "meshgrade";
   return fs::is_directory(share / "kit", error) ? share : fs::path();
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "grader/base/digest.h"
+#include "grader/base/process_self.h"
 #include "grader/base/text.h"
 
 namespace meshgrade {
@@ -44,7 +45,7 @@ void add_stamps_below(const fs::path& folder, Digest& digest) {
 
 std::string surroundings_of(const Home& home) {
   Digest digest;
-  add_stamp("/proc/self/exe", digest);
+  add_stamp(program_file(), digest);
   add_stamp(home.compiler, digest);
   add_stamps_below(home.kit, digest);
   add_stamps_below(home.include, digest);

@@ -16,6 +16,7 @@
 #include "grader/base/errors.h"
 #include "grader/base/interrupt.h"
 #include "grader/base/process.h"
+#include "grader/base/process_parent.h"
 #include "grader/base/wire.h"
 
 namespace meshgrade {

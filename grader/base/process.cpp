@@ -4,9 +4,6 @@
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 #include <algorithm>
 #include <cerrno>
@@ -18,6 +15,7 @@
 #include "grader/base/cancel.h"
 #include "grader/base/errors.h"
 #include "grader/base/interrupt.h"
+#include "grader/base/process_parent.h"
 #include "grader/base/process_tree.h"
 
 namespace meshgrade {
@@ -190,13 +188,6 @@ FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
 
 FileDescriptor::~FileDescriptor() {
   if (fd_ >= 0) ::close(fd_);
-}
-
-void die_with([[maybe_unused]] pid_t parent) {
-#ifdef __linux__
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != parent) ::_exit(1);  // it died before that
-#endif
 }
 
 FileDescriptor make_scratch_file() {

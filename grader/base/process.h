@@ -52,10 +52,6 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// In a process that was just forked: it is to die when its parent dies, so that nothing goes
-/// on when the grader is killed. Does nothing where the system has no such thing (macOS).
-void die_with(pid_t parent);
-
 /// A program to run. It gets no input and shares no descriptor but those named here.
 struct Command {
   std::vector<std::string> arguments;  ///< the program first; looked up in PATH

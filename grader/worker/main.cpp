@@ -11,9 +11,6 @@
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 #include <algorithm>
 #include <cerrno>
@@ -23,6 +20,7 @@
 #include <cstring>
 #include <new>
 
+#include "grader/base/process_parent.h"
 #include "grader/base/protocol.h"
 #include "grader/worker/child.h"
 #include "grader/worker/patience.h"
@@ -86,15 +84,6 @@ Ending record_death(const TaskList& list, SharedState& shared, int status, bool 
   return ending;
 }
 
-/// In the child: when the grader is killed, the worker dies with it, and this with the worker.
-/// Nobody would be left to watch over the time.
-void die_with([[maybe_unused]] pid_t worker) {
-#ifdef __linux__
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != worker) ::_exit(kWorkerFailedStatus);
-#endif
-}
-
 /// A child; asked for again for a while where the user's processes that are just ending still
 /// count.
 pid_t fork_patiently() {
@@ -123,7 +112,7 @@ bool run_some(const TaskList& list, Patience& patience, SharedState& shared) {
   const pid_t child = fork_patiently();
   if (child < 0) fail("cannot start a process");
   if (child == 0) {
-    die_with(worker);
+    die_with(worker, kWorkerFailedStatus);  // nobody would be left to watch over the time
     ::close(life_line[0]);
     run_tasks(list, patience, shared);
   }

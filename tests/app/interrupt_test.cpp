@@ -54,11 +54,14 @@ class Interrupt : public CommandLine {
 
 TEST_F(Interrupt, LeavesNothingBehindAndEndsByTheSignal) {
   const std::string sleeps = wrong("edge_flip/sleeps");
+  write("flip.cpp",
+        "#include <unistd.h>\n#include \"meshedit/meshedit.h\"\nnamespace meshedit {\n"
+        "EdgeIter HalfedgeMesh::flipEdge(EdgeIter e) {\n  ::pause();\n  return e;\n}\n}\n");
   const std::string picture = (scratch_.path() / "a.svg").string();
   const std::vector<std::vector<std::string>> calls{
       {"check", sleeps, "edge_flip"},
       {"replay", "edge_flip:stress/11", sleeps, "--sanitize"},
-      {"view", "--submission", sleeps, "--screenshot", picture, "--steps", "flip e0"}};
+      {"view", "--submission", folder_, "--screenshot", picture, "--steps", "flip e0"}};
   for (const auto& arguments : calls) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
       const int status = call_and_send(signal, arguments);
