@@ -57,8 +57,11 @@ BuildOrigin origin_of(const Submission& submission, const Home& home, const Limi
   digest.add("build").add(std::to_string(limits.compile_seconds));
   digest.add(std::to_string(limits.compile_memory_mb)).add(std::to_string(limits.object_mb));
   add(submission.course_headers, digest);
-  // Members that a homework adds to the course's elements may be told from any of its files.
-  return {digest.hex(), submission.sources, submission.dialect == Dialect::kMeshedit};
+  // Members that a homework adds to the course's elements may be told from any of its files;
+  // and what a header of its own holds may call what no source names.
+  const bool is_divisible =
+      submission.dialect == Dialect::kMeshedit && submission.headers.empty();
+  return {digest.hex(), submission.sources, is_divisible};
 }
 
 std::string identity_of(const BuildOrigin& origin, const std::vector<std::string>& functions) {

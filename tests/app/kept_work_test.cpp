@@ -108,6 +108,24 @@ TEST_F(KeptWorkTest, AChangedHeaderChangesAll) {
   EXPECT_EQ(check(submission).starts.compilers, first.starts.compilers);
 }
 
+TEST_F(KeptWorkTest, WhatOnlyAHeaderCallsIsSeenToHaveChanged) {
+  Submission submission = reference();
+  submission.headers = {
+      {"again.h", "inline int turned() { extern int sign(); return sign(); }\n"}};
+  SourceFile& normal = submission.sources.at(5);
+  ASSERT_EQ(normal.name, "vertex_normal.cpp");
+  normal.text.insert(0, "#include \"again.h\"\n");
+  const std::string right = "return sum.unit();";
+  normal.text.replace(normal.text.find(right), right.size(), "return turned() * sum.unit();");
+  submission.sources.push_back({"sign.cpp", "int sign() { return 1; }\n"});
+  const Checked before = check(submission);
+  EXPECT_EQ(before.json, check(submission, false).json);
+  submission.sources.back().text = "int sign() { return -1; }\n";
+  const Checked after = check(submission);
+  EXPECT_NE(after.json, before.json);
+  EXPECT_EQ(after.json, check(submission, false).json);
+}
+
 TEST_F(KeptWorkTest, ReportsOfWrongSubmissionsAreTheSame) {
   for (const char* name :
        {"edge_flip/next_wrong", "edge_flip/does_not_compile", "edge_flip/exits",
