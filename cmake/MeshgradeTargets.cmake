@@ -44,16 +44,29 @@ function(meshgrade_precompiled name)
     <nlohmann/json.hpp> ${ARGN})
 endfunction()
 
-# meshgrade_room(<name> SOURCES <files...> [USES <targets...>])
+set(MESHGRADE_QUICKLY_COMPILED $<$<CONFIG:Release>:-O1>)
+
+# meshgrade_room(<name> [FAST] SOURCES <files...> [USES <targets...>] [HEADERS <target>])
+#
+# FAST: it computes much, and is compiled for that. HEADERS: precompiled ones of its own.
 #
 # One room of the grader is one static library, so that the linker sees the
 # one-way dependencies between rooms. Rooms include each other as
 # "grader/<room>/<file>.h".
 function(meshgrade_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(ROOM "FAST" "HEADERS" "SOURCES;USES" ${ARGN})
   add_library(meshgrade_${name} STATIC ${ROOM_SOURCES})
   target_include_directories(meshgrade_${name} PUBLIC "${PROJECT_SOURCE_DIR}")
   target_link_libraries(meshgrade_${name} PUBLIC ${ROOM_USES} PRIVATE meshgrade_options)
   target_compile_features(meshgrade_${name} PUBLIC cxx_std_20)
-  target_precompile_headers(meshgrade_${name} REUSE_FROM ${MESHGRADE_ROOM_HEADERS})
+  if(ROOM_HEADERS)
+    target_precompile_headers(meshgrade_${name} REUSE_FROM ${ROOM_HEADERS})
+  elseif(ROOM_FAST)
+    target_precompile_headers(meshgrade_${name} REUSE_FROM meshgrade_fast_room_headers)
+  else()
+    target_precompile_headers(meshgrade_${name} REUSE_FROM meshgrade_room_headers)
+    target_compile_options(meshgrade_${name} PRIVATE ${MESHGRADE_QUICKLY_COMPILED})
+  endif()
+  set_target_properties(meshgrade_${name} PROPERTIES
+    UNITY_BUILD ${MESHGRADE_TOGETHER} UNITY_BUILD_BATCH_SIZE 8)
 endfunction()

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "grader/app/context.h"
+#include "grader/app/exit_codes.h"
 #include "grader/app/export_target.h"
 #include "grader/app/grading.h"
 #include "grader/app/output_check.h"
@@ -15,8 +16,6 @@
 namespace meshgrade {
 namespace {
 
-constexpr int kGraderFailed = 3;
-
 struct AutogradeOptions {
   std::string submission;
   std::string assignment;
@@ -24,7 +23,8 @@ struct AutogradeOptions {
 };
 
 /// Also refuses a submission that is not there: that is no student's doing.
-void check_files(const AutogradeOptions& options, const std::vector<ExportTarget>& targets) {
+void check_autograde_files(const AutogradeOptions& options,
+                           const std::vector<ExportTarget>& targets) {
   std::error_code error;
   if (!std::filesystem::exists(options.submission, error)) {
     throw UserError(options.submission +
@@ -39,7 +39,7 @@ int autograde(const AutogradeOptions& options) {
   const std::vector<ExportTarget> targets = parse_export_targets(options.writes);
   const Assignment assignment = load_assignment(options.assignment);
   require_hidden_seed(assignment);
-  check_files(options, targets);
+  check_autograde_files(options, targets);
   std::optional<Submission> submission;
   try {
     submission = find_submission(options.submission, assignment.submission);

@@ -15,6 +15,7 @@
 #include "grader/app/class_source.h"
 #include "grader/app/cluster_batch.h"
 #include "grader/app/context.h"
+#include "grader/app/exit_codes.h"
 #include "grader/app/figure_files.h"
 #include "grader/app/grader_identity.h"
 #include "grader/app/grading.h"
@@ -40,7 +41,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kSomeUngradable = 1;
-constexpr int kGraderFailed = 3;
 constexpr int kInterrupted = 130;
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -193,7 +193,7 @@ void refuse_results_inside(const fs::path& submissions, const fs::path& results)
                   "name a folder elsewhere");
 }
 
-std::vector<std::string> names_of(const BatchCommandOptions& options) {
+std::vector<std::string> chosen_names(const BatchCommandOptions& options) {
   std::vector<std::string> names = options.only;
   if (!options.only_file.empty()) {
     const std::vector<std::string> listed = read_task_list(options.only_file);
@@ -251,8 +251,8 @@ unsigned jobs_of(const BatchCommandOptions& options) {
   return options.jobs != 0 ? options.jobs : options.cluster.slurm ? 1 : cores();
 }
 
-int run(const BatchCommandOptions& options, const Assignment& assignment, const Roster& roster,
-        const BatchFolder& folder) {
+int grade_class(const BatchCommandOptions& options, const Assignment& assignment,
+                const Roster& roster, const BatchFolder& folder) {
   Home home = find_home();
   home.cores = std::max(1U, cores() / jobs_of(options));
   if (options.require_sandbox) require_sandbox(home.sandbox);
@@ -260,7 +260,7 @@ int run(const BatchCommandOptions& options, const Assignment& assignment, const 
   BatchOptions how;
   how.jobs = jobs_of(options);
   how.force = options.force;
-  how.chosen = choose_hand_ins(roster, names_of(options));
+  how.chosen = choose_hand_ins(roster, chosen_names(options));
   BatchProgress progress(roster, how.chosen.size(), ::isatty(STDERR_FILENO) != 0);
   how.progress = [&](const BatchStep& step) { progress.show(step); };
   how.stop = [] { return interrupted != 0; };
@@ -304,7 +304,7 @@ int batch(const BatchCommandOptions& options) {
                     "first");
   }
   const ClassSource source = open_class(options.submissions, options.roster);
-  if (folder) return run(options, assignment, source.roster, *folder);
+  if (folder) return grade_class(options, assignment, source.roster, *folder);
   list_roster(source.roster, read_late_rule(or_standard_assignment(options.assignment)));
   return 0;
 }

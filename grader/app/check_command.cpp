@@ -55,7 +55,7 @@ std::string timing_text(const StageTimes& times, std::chrono::steady_clock::time
          to_table(times.stages(), all.count());
 }
 
-void check_files(const CheckOptions& options, const Submission& submission) {
+void check_named_files(const CheckOptions& options, const Submission& submission) {
   std::vector<Output> outputs;
   if (!options.json.empty()) outputs.push_back({"--json", options.json});
   if (!options.html.empty()) outputs.push_back({"--html", options.html});
@@ -79,7 +79,7 @@ std::string text_for_people(const Report& report, const CheckOptions& options) {
 int check(const CheckOptions& options) {
   const Assignment assignment = load_assignment(options.assignment);
   const Submission submission = find_submission(options.submission, assignment.submission);
-  check_files(options, submission);
+  check_named_files(options, submission);
   const auto times = options.timing ? std::make_shared<StageTimes>() : nullptr;
   const auto begin = std::chrono::steady_clock::now();
   const Home home = find_home({!options.no_cache, times});

@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "grader/base/contains.h"
 #include "grader/build/tool_words.h"
 
 namespace meshgrade {
 namespace {
 
-bool holds(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 bool is_exercise_function(const Assignment& assignment, const std::string& function) {
   return std::any_of(assignment.exercises.begin(), assignment.exercises.end(),
                      [&](const ExerciseRubric& rubric) {
-                       return holds(find_exercise_judge(rubric).functions, function);
+                       return contains(find_exercise_judge(rubric).functions, function);
                      });
 }
 
@@ -40,7 +37,7 @@ void blame_left_out_functions(const Assignment& assignment, const Build& build,
       if (left.not_judged) {
         judgement.verdict = Verdict::kNotJudged;
         judgement.excused = true;
-      } else if (holds(judge.functions, left.function) ||
+      } else if (contains(judge.functions, left.function) ||
                  !is_exercise_function(assignment, left.function)) {
         judgement.verdict = Verdict::kNotCompiled;
       }

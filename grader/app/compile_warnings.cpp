@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/base/text.h"
 #include "grader/build/function_extents.h"
 #include "grader/judge/findings.h"
 #include "grader/submission/code_only.h"
@@ -86,16 +87,13 @@ class Functions {
 
   /// Names in front of an opening parenthesis.
   static void add_calls(const std::string& body, std::set<std::string>& calls) {
-    const auto is_letter = [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-    };
     for (std::size_t open = body.find('('); open != std::string::npos;
          open = body.find('(', open + 1)) {
       std::size_t end = open;
       while (end > 0 && std::isspace(static_cast<unsigned char>(body[end - 1])) != 0)
         --end;
       std::size_t begin = end;
-      while (begin > 0 && is_letter(body[begin - 1]))
+      while (begin > 0 && is_word_character(body[begin - 1]))
         --begin;
       if (begin < end) calls.insert(body.substr(begin, end - begin));
     }

@@ -45,12 +45,6 @@ std::map<std::string, std::string> make_feedback(const ClassResults& results,
   return feedback;
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw UserError(folder.string() + ": cannot be made: " + error.message());
-}
-
 /// What is read: the gradebook, and the results themselves.
 std::vector<fs::path> inputs_of(const ExportCommandOptions& options) {
   std::vector<fs::path> inputs{options.gradebook};

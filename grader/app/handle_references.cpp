@@ -1,7 +1,6 @@
 #include "grader/app/handle_references.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 #include "grader/base/text.h"
@@ -13,16 +12,12 @@ namespace {
 /// Fewer wrong pointers than this need no such explanation.
 constexpr std::size_t kManyPointers = 3;
 
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 /// The word that ends before `end`, with space between; empty if there is none.
 std::string word_before(const std::string& line, std::size_t end) {
   while (end > 0 && line[end - 1] == ' ')
     --end;
   std::size_t begin = end;
-  while (begin > 0 && is_word(line[begin - 1]))
+  while (begin > 0 && is_word_character(line[begin - 1]))
     --begin;
   return line.substr(begin, end - begin);
 }
@@ -37,7 +32,7 @@ bool declares(const std::string& line, std::size_t at) {
   };
   const auto is_space = [](char c) { return c == ' '; };
   skip(is_space);
-  if (!skip(is_word)) return false;
+  if (!skip(is_word_character)) return false;
   skip(is_space);
   return at < line.size() && line[at] == '=' && line.compare(at, 2, "==") != 0;
 }

@@ -122,7 +122,7 @@ void fill(const fs::path& kit, const fs::path& shipped, const fs::path& include,
   precompile(compiler, include, kit);
 }
 
-void say(const std::string& text) {
+void say_to_user(const std::string& text) {
   std::cerr << "meshgrade: " << printable(text) << "\n";
 }
 
@@ -170,19 +170,19 @@ ReadyKit ready_kit(const fs::path& shipped, const fs::path& include,
   if (is_ready(kept)) return {kept, nullptr};
   if (make_own_folder(cache)) {
     try {
-      say("compiling the shared headers, once for this compiler");
+      say_to_user("compiling the shared headers, once for this compiler");
       keep_in(kept, shipped, include, compiler);
       return {kept, nullptr};
     } catch (const UnfitCompiler&) {
       throw;
     } catch (const std::exception& error) {  // the disk is full, say
-      say(std::string("the shared headers cannot be kept: ") + error.what());
+      say_to_user(std::string("the shared headers cannot be kept: ") + error.what());
     }
   } else {
-    say("compiling the shared headers, which cannot be kept for the next call: " +
-        (cache.empty()
-             ? "there is no home folder"
-             : cache.string() + " is no folder that you, and only you, can write to"));
+    say_to_user("compiling the shared headers, which cannot be kept for the next call: " +
+                (cache.empty()
+                     ? "there is no home folder"
+                     : cache.string() + " is no folder that you, and only you, can write to"));
   }
   ReadyKit kit{{}, std::make_shared<ScratchFolder>()};
   fs::permissions(kit.scratch->path(), fs::perms(0755));

@@ -17,6 +17,7 @@
 #include "grader/app/dev_check_command.h"
 #include "grader/app/diff_command.h"
 #include "grader/app/doctor_command.h"
+#include "grader/app/exit_codes.h"
 #include "grader/app/export_command.h"
 #include "grader/app/handout_command.h"
 #include "grader/app/hint_command.h"
@@ -33,9 +34,6 @@
 #include "grader/base/text.h"
 
 namespace {
-
-constexpr int kBadUsage = 2;
-constexpr int kGraderFailed = 3;
 
 /// Else a mistyped command would be told to be an unexpected argument.
 void require_command(const CLI::App& app, int argc, char** argv) {
@@ -83,7 +81,7 @@ int run(int argc, char** argv) {
     std::ostringstream complaint;
     const bool asked_for_help = app.exit(error, std::cout, complaint) == 0;
     std::cerr << meshgrade::printable(complaint.str());
-    return asked_for_help ? 0 : kBadUsage;
+    return asked_for_help ? 0 : meshgrade::kUserError;
   }
   return exit_code;
 }
@@ -98,10 +96,10 @@ int run_and_explain(int argc, char** argv) {
     return run(argc, argv);
   } catch (const meshgrade::UserError& error) {
     say(error.what());
-    return kBadUsage;
+    return meshgrade::kUserError;
   } catch (const std::exception& error) {
     say(std::string("the grader itself failed: ") + error.what());
-    return kGraderFailed;
+    return meshgrade::kGraderFailed;
   }
 }
 
@@ -115,7 +113,7 @@ int flush_output(int exit_code) {
   if (errno == EPIPE) return exit_code;
   say(std::string("standard output cannot be written") +
       (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
-  return std::max(exit_code, kBadUsage);
+  return std::max(exit_code, meshgrade::kUserError);
 }
 
 }  // namespace

@@ -227,7 +227,7 @@ void print_curve(const fs::path& file) {
   print_box(points);
 }
 
-int run(const fs::path& file) {
+int print_info(const fs::path& file) {
   const std::string extension = lower_extension(file);
   if (extension == ".bez") {
     print_patches(file);
@@ -253,7 +253,7 @@ void add_mesh_info_command(CLI::App& app, int& exit_code) {
       "  meshgrade mesh-info meshes/invalid/bow_tie.obj    (exit code 2: no surface)\n"
       "Exit code: 0, or 2 for bad usage, a file that cannot be read, or a mesh that is no "
       "surface.");
-  command->callback([file, &exit_code] { exit_code = run(*file); });
+  command->callback([file, &exit_code] { exit_code = print_info(*file); });
 }
 
 }  // namespace meshgrade

@@ -1,8 +1,8 @@
 #include "grader/app/right_callees.h"
 
-#include <algorithm>
 #include <set>
 
+#include "grader/base/contains.h"
 #include "grader/base/text.h"
 #include "grader/build/stand_in.h"
 #include "grader/judge/judge.h"
@@ -11,10 +11,6 @@
 
 namespace meshgrade {
 namespace {
-
-bool holds(const std::vector<std::string>& list, const std::string& text) {
-  return std::find(list.begin(), list.end(), text) != list.end();
-}
 
 bool is_about(const Case& asked, const std::string& function) {
   return !asked.calls.empty() && asked.calls.front() == function;
@@ -101,7 +97,7 @@ class CalleeRun {
   std::vector<std::string> all_but(const std::vector<std::string>& some) const {
     std::vector<std::string> others;
     for (const std::string& function : functions_) {
-      if (!holds(some, function)) others.push_back(function);
+      if (!contains(some, function)) others.push_back(function);
     }
     return others;
   }
@@ -159,7 +155,7 @@ void run_with_right_callees(const Assignment& assignment, const Home& home,
 
 bool has_callees(const Case& asked, const ExerciseRubric& rubric) {
   const std::vector<std::string> functions = find_exercise_judge(rubric).functions;
-  return asked.calls.size() > 1 && holds(functions, asked.calls[1]);
+  return asked.calls.size() > 1 && contains(functions, asked.calls[1]);
 }
 
 }  // namespace meshgrade

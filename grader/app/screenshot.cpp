@@ -35,7 +35,7 @@ void require_writable(const fs::path& out) {
 }
 
 /// "split e4: failed: split e4 ..., h3.next"
-void say(const CaseReport& told, const std::string& step) {
+void say_step(const CaseReport& told, const std::string& step) {
   std::cout << step << ": " << verdict_name(told.verdict);
   if (!told.note.empty()) std::cout << ": " << printable(told.note);
   if (!told.findings.empty()) {
@@ -65,12 +65,12 @@ bool run_steps(MeshSession& session, const std::vector<ViewOperation>& steps) {
                       plural(counts.edges, "edge") + " then");
     }
     if (session.stopped()) {
-      say(session.stopped()->told, name);
+      say_step(session.stopped()->told, name);
       std::cout << "The picture shows the mesh before " << name
                 << ", which did not come to its end.\n";
       return false;
     }
-    say(session.states()[session.position()].told, name);
+    say_step(session.states()[session.position()].told, name);
   }
   return true;
 }
@@ -134,7 +134,7 @@ int take_curve(const StudentProgram& program, const std::vector<Point2>& points,
                const ScreenshotOptions& options, const std::string& name) {
   const PictureRequest request = read_request(options);
   const CurveLook look = look_at_curve(program, points, options.t);
-  say(look.told, "evaluateStep at t = " + number_text(options.t));
+  say_step(look.told, "evaluateStep at t = " + number_text(options.t));
   const auto levels =
       options.levels_shown < 0 ? points.size() : static_cast<std::size_t>(options.levels_shown);
   const auto svg = [&] { return curve_svg(look, levels, request, printable(name)); };
@@ -148,7 +148,7 @@ int take_surface(const StudentProgram& program, const std::vector<ControlNet>& n
                  const ScreenshotOptions& options, const std::string& name) {
   const PictureRequest request = read_request(options);
   const PatchLook look = look_at_patches(program, nets, options.density);
-  say(look.told, "evaluate");
+  say_step(look.told, "evaluate");
   const auto svg = [&] { return patch_svg(look, request, name); };
   std::cout
       << write_picture(options.out, {[&] { return svg_page(svg()); }, svg}, request).text()

@@ -38,7 +38,7 @@ std::string to_csv(const std::vector<SimilarPair>& pairs) {
 }
 
 /// Whatever lies among the submissions may be somebody's work.
-void check_files(const SimilarityCommandOptions& options) {
+void check_similarity_files(const SimilarityCommandOptions& options) {
   std::vector<Output> outputs;
   std::vector<std::filesystem::path> inputs{options.submissions,
                                             or_standard_assignment(options.assignment)};
@@ -67,7 +67,7 @@ void print_pairs(const std::vector<SimilarPair>& pairs, std::size_t top) {
 }
 
 void similarity(SimilarityCommandOptions& options) {
-  check_files(options);
+  check_similarity_files(options);
   const Assignment assignment = load_assignment(options.assignment);
   options.how.rules = assignment.submission;
   const std::filesystem::path skeleton = options.skeleton.empty()

@@ -85,7 +85,7 @@ void convert_file(const Arguments& arguments, const PolygonMesh& mesh) {
             << mesh.polygons.size() << " faces, as they were\n";
 }
 
-void run(const Arguments& arguments) {
+void subdivide_file(const Arguments& arguments) {
   require_mesh_format(arguments.out);
   check_outputs({{"-o", arguments.out}}, {arguments.in});
   const LoadedMesh loaded = read_mesh(arguments.in);
@@ -144,7 +144,7 @@ void add_subdivide_command(CLI::App& app, int& exit_code) {
     chosen.vertex_rule = arguments->rule == "loop" ? VertexRule::kLoop : VertexRule::kWarren;
     chosen.corner_rule =
         arguments->boundary == "smooth" ? CornerRule::kSmooth : CornerRule::kCorner;
-    run(*arguments);
+    subdivide_file(*arguments);
     exit_code = 0;
   });
 }

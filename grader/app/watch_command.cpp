@@ -27,16 +27,16 @@
 namespace meshgrade {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t watch_interrupted = 0;
 
 bool is_interrupted() {
-  return interrupted != 0;
+  return watch_interrupted != 0;
 }
 
 /// Ctrl-C ends the check that is running, and the program; the second one ends it at once.
-void catch_interrupts() {
+void catch_watch_interrupts() {
   struct sigaction action {};
-  action.sa_handler = [](int) { interrupted = 1; };
+  action.sa_handler = [](int) { watch_interrupted = 1; };
   action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
   ::sigemptyset(&action.sa_mask);
   ::sigaction(SIGINT, &action, nullptr);
@@ -108,7 +108,7 @@ class Watch {
   int run() {
     const Submission found =  // so is a wrong folder
         find_submission(options_.submission, assignment_.submission);
-    catch_interrupts();
+    catch_watch_interrupts();
     const bool is_folder = std::filesystem::is_directory(options_.submission);
     FileWatch files(is_folder ? found.folder : std::filesystem::path(options_.submission));
     std::cout << "watching " << options_.submission << "; Ctrl-C ends it\n" << std::flush;

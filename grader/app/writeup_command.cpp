@@ -51,12 +51,6 @@ void require_free(const WriteupOptions& options) {
   }
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw UserError(folder.string() + ": cannot be made: " + error.message());
-}
-
 void say_of(const WriteupPicture& picture) {
   std::cout << picture.file << (picture.told.empty() ? "" : "  (shows what goes wrong)") << "\n"
             << std::flush;

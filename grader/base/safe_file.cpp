@@ -148,6 +148,12 @@ void write_file_safely(const fs::path& file, const std::string& text) {
   sync_folder(target.parent_path());
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw UserError(folder.string() + ": cannot be made: " + error.message());
+}
+
 std::string read_whole_file(const fs::path& file) {
   std::error_code error;
   std::ifstream stream(file, std::ios::binary);

@@ -16,6 +16,10 @@ bool is_stream(const std::filesystem::path& file);
 /// @throws UserError if it cannot be written, or is there and is read-only
 void write_file_safely(const std::filesystem::path& file, const std::string& text);
 
+/// A folder and those above it, where they are not there yet.
+/// @throws UserError if it cannot be made
+void make_folder(const std::filesystem::path& folder);
+
 /// The whole file.
 /// @throws UserError if it cannot be read
 std::string read_whole_file(const std::filesystem::path& file);

@@ -17,6 +17,9 @@ std::string printable(std::string_view text);
 /// or output rules no page.
 std::string html_text(std::string_view text);
 
+/// What a name of C++ is made of.
+bool is_word_character(char c);
+
 std::vector<std::string> split_lines(std::string_view text);
 std::string join(const std::vector<std::string>& parts, std::string_view between);
 

@@ -16,6 +16,7 @@
 #include "grader/base/errors.h"
 #include "grader/base/job_pool.h"
 #include "grader/base/process.h"
+#include "grader/base/safe_file.h"
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
 #include "grader/sandbox/system_paths.h"
@@ -46,13 +47,6 @@ struct StepMessage {
     wire(status, kept, again, points, max_points, reason, broken);
   }
 };
-
-fs::path make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw UserError(folder.string() + ": cannot be made: " + error.message());
-  return folder;
-}
 
 /// The lock ends with the process, however it ends.
 FileDescriptor lock_results(const fs::path& folder) {
@@ -260,11 +254,12 @@ class Batch {
 }  // namespace
 
 BatchFolder::BatchFolder(const fs::path& folder)
-    : folder_(make_folder(folder)), lock_(lock_results(folder_)) {
+    : folder_((make_folder(folder), folder)), lock_(lock_results(folder_)) {
   const char* before = std::getenv("TMPDIR");
   if (before != nullptr) temporary_before_ = before;
   clear();
-  const fs::path temporary = make_folder(folder_ / kTemporary);
+  const fs::path temporary = folder_ / kTemporary;
+  make_folder(temporary);
   fs::permissions(temporary, fs::perms(0711));
   // Started by root, submissions run as other users, who could not come to where they run.
   if (::geteuid() == 0 && !is_open_to_others(temporary)) return;

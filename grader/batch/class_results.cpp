@@ -10,11 +10,11 @@
 
 namespace meshgrade {
 
-using Json = nlohmann::json;
+using PlainJson = nlohmann::json;
 
 namespace {
 
-constexpr const char* kSchema = "meshgrade-class/1";
+constexpr const char* kClassSchema = "meshgrade-class/1";
 
 ClassRow to_row(const HandIn& hand_in, const std::vector<ExercisePoints>& exercises,
                 const ResultStore& store, const Lateness& lateness) {
@@ -98,23 +98,23 @@ std::string late_text(const ClassRow& row) {
 }
 
 std::string to_json(const ClassResults& results) {
-  Json value{{"schema", kSchema}};
-  value.update(Json(results));
-  return value.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  PlainJson value{{"schema", kClassSchema}};
+  value.update(PlainJson(results));
+  return value.dump(2, ' ', false, PlainJson::error_handler_t::replace) + "\n";
 }
 
 ClassResults read_class_results(const std::string& json) {
   try {
-    Json value = Json::parse(json);
-    if (value.at("schema") != kSchema) {
-      throw UserError("it is of another form than " + std::string(kSchema));
+    PlainJson value = PlainJson::parse(json);
+    if (value.at("schema") != kClassSchema) {
+      throw UserError("it is of another form than " + std::string(kClassSchema));
     }
-    for (Json& row : value.at("rows")) {  // what earlier versions did not write
+    for (PlainJson& row : value.at("rows")) {  // what earlier versions did not write
       if (row.is_object()) row.emplace("late_deduction", 0.0);
       if (row.is_object()) row.emplace("late_note", "");
     }
     return value.get<ClassResults>();
-  } catch (const Json::exception& error) {
+  } catch (const PlainJson::exception& error) {
     throw UserError(std::string("it cannot be read: ") + error.what());
   }
 }

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kStatusFile = "result.json";
-constexpr const char* kSchema = "meshgrade-result/1";
+constexpr const char* kResultSchema = "meshgrade-result/1";
 constexpr const char* kDamaged = "its result is damaged";
 
 std::string dump(const Json& value) {
@@ -40,7 +40,7 @@ ResultStatus find_status(const std::string& name) {
 /// @throws UserError, Json::exception if anything is not as it was written
 Result read_result(const fs::path& folder, const std::string& key) {
   const Json value = Json::parse(read_whole_file(folder / kStatusFile));
-  if (value.at("schema") != kSchema || value.at("checksum") != checksum_of(value) ||
+  if (value.at("schema") != kResultSchema || value.at("checksum") != checksum_of(value) ||
       value.at("key") != key) {
     throw UserError(kDamaged);
   }
@@ -85,16 +85,14 @@ fs::path ResultStore::folder_of(const std::string& key) const {
 
 fs::path ResultStore::make_folder(const std::string& key) const {
   fs::path folder = folder_of(key);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw UserError(folder.string() + ": cannot be made: " + error.message());
+  meshgrade::make_folder(folder);
   return folder;
 }
 
 void ResultStore::save(const Result& result, const std::string& text) const {
   const fs::path folder = make_folder(result.key);
   std::error_code error;
-  Json value{{"schema", kSchema},
+  Json value{{"schema", kResultSchema},
              {"key", result.key},
              {"status", status_name(result.status)},
              {"reason", result.reason},

@@ -1,7 +1,6 @@
 #include "grader/build/added_members.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <set>
 #include <utility>
@@ -18,7 +17,7 @@ constexpr std::size_t kMostMembers = 20;
 std::vector<std::string> names_in(const std::string& text) {
   std::vector<std::string> names(1);
   for (char c : text) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+    if (is_word_character(c)) {
       names.back() += c;
     } else if (!names.back().empty()) {
       names.emplace_back();

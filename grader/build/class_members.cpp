@@ -1,37 +1,33 @@
 #include "grader/build/class_members.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "grader/base/pattern.h"
+#include "grader/base/text.h"
 #include "grader/submission/code_only.h"
 
 namespace meshgrade {
 namespace {
 
-constexpr std::string_view kSpaces = " \t\r\n";
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
+constexpr std::string_view kBlanks = " \t\r\n";
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kSpaces);
+  const std::size_t first = text.find_first_not_of(kBlanks);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpaces) - first + 1);
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
 bool begins_with_word(std::string_view text, std::string_view word) {
   return text.substr(0, word.size()) == word &&
-         (text.size() == word.size() || !is_word(text[word.size()]));
+         (text.size() == word.size() || !is_word_character(text[word.size()]));
 }
 
 /// The last word of a text; empty if it ends with something else.
 std::string last_word(std::string_view text) {
   text = trimmed(text);
   std::size_t begin = text.size();
-  while (begin > 0 && is_word(text[begin - 1]))
+  while (begin > 0 && is_word_character(text[begin - 1]))
     --begin;
   return std::string(text.substr(begin));
 }
@@ -139,7 +135,7 @@ class BodyReader {
   }
 
   void take(std::size_t end) {
-    const std::size_t first = std::min(code_.find_first_not_of(kSpaces, start_), end);
+    const std::size_t first = std::min(code_.find_first_not_of(kBlanks, start_), end);
     start_ = end;
     std::string_view code = code_.substr(first, end - first);
     if (code.size() < 2 || begins_with_word(code, "friend")) return;  // ";" behind a body
@@ -244,7 +240,8 @@ std::size_t find_body(std::string_view code, const std::string& class_name, std:
   for (std::size_t at = code.find(class_name, from); at != std::string_view::npos;
        at = code.find(class_name, at + 1)) {
     from = at + class_name.size();
-    const bool whole = !is_word(code[at - 1]) && (from >= code.size() || !is_word(code[from]));
+    const bool whole = !is_word_character(code[at - 1]) &&
+                       (from >= code.size() || !is_word_character(code[from]));
     const std::string before = last_word(code.substr(0, at));
     if (!whole || (before != "class" && before != "struct")) continue;
     const std::size_t end = code.find_first_of("{;(>,", from);

@@ -11,11 +11,7 @@
 namespace meshgrade {
 namespace {
 
-using Words = std::vector<std::string>;
-
-bool is_word_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
+using WordList = std::vector<std::string>;
 
 bool is_name(const std::string& word) {
   return is_word_character(word[0]) && std::isdigit(static_cast<unsigned char>(word[0])) == 0;
@@ -62,8 +58,8 @@ const std::set<std::string>& aware_of_file() {
 }
 
 /// Names, numbers and single other characters; "::" is one.
-Words split_code(std::string_view code) {
-  Words words;
+WordList split_code(std::string_view code) {
+  WordList words;
   for (std::size_t i = 0; i < code.size();) {
     std::size_t end = i + 1;
     if (is_word_character(code[i])) {
@@ -84,7 +80,7 @@ Words split_code(std::string_view code) {
 /// Reads what stands between functions.
 class Reader {
  public:
-  Reader(Words words, FileScope& scope) : words_(std::move(words)), scope_(scope) {}
+  Reader(WordList words, FileScope& scope) : words_(std::move(words)), scope_(scope) {}
 
   /// @return whether everything was understood
   bool read() {
@@ -182,8 +178,8 @@ class Reader {
   /// What ends with a semicolon and no body may be a variable, but for constants, types without
   /// anything static, and other names for types.
   void note_variables(std::size_t begin) {
-    const Words declaration(words_.begin() + static_cast<std::ptrdiff_t>(begin),
-                            words_.begin() + static_cast<std::ptrdiff_t>(at_));
+    const WordList declaration(words_.begin() + static_cast<std::ptrdiff_t>(begin),
+                               words_.begin() + static_cast<std::ptrdiff_t>(at_));
     const auto mentions = [&](const char* text) {
       return std::find(declaration.begin(), declaration.end(), text) != declaration.end();
     };
@@ -244,7 +240,7 @@ class Reader {
       understood_ = understood_ && word(i) != "friend";
   }
 
-  Words words_;
+  WordList words_;
   FileScope& scope_;
   std::size_t at_ = 0;
   int open_ = 0;  ///< namespaces
@@ -265,7 +261,7 @@ bool read_includes(std::string_view text, std::string& code, FileScope& scope) {
     const std::size_t begin = code.rfind('\n', at) + 1;  // 0 behind npos
     const std::size_t end = std::min(code.find('\n', at), code.size());
     if (text[at] != '#' || code.find_first_not_of(" \t", begin) != at) return false;
-    const Words words = split_code(std::string_view(code).substr(at + 1, end - at - 1));
+    const WordList words = split_code(std::string_view(code).substr(at + 1, end - at - 1));
     if (words.empty() || words[0] != "include") return false;
     const std::string rest(text.substr(at, end - at));
     const std::size_t open = rest.find_first_of("<\"");
@@ -296,7 +292,7 @@ FileScope read_file_scope(std::string_view text) {
   FileScope scope;
   std::string code = code_only(with_directives(text));
   if (!read_includes(text, code, scope) || !is_plainly_spelled(code)) return scope;
-  Words words = split_code(code);
+  WordList words = split_code(code);
   for (const std::string& word : words) {
     if (is_name(word)) scope.words.insert(word);
   }

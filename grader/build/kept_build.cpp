@@ -23,7 +23,7 @@ void add(const std::vector<SourceFile>& files, Digest& digest) {
 }
 
 /// What every object of a submission may depend on beside its own source.
-Digest surroundings_of(const Submission& submission, const Home& home, BuildKind kind) {
+Digest digest_of_surroundings(const Submission& submission, const Home& home, BuildKind kind) {
   Digest digest;
   digest.add(home.kept->surroundings).add(std::to_string(static_cast<int>(kind)));
   digest.add(std::to_string(static_cast<int>(submission.dialect)));
@@ -53,7 +53,7 @@ struct KeptBuild {
 BuildOrigin origin_of(const Submission& submission, const Home& home, const Limits& limits,
                       BuildKind kind) {
   if (!home.kept) return {};
-  Digest digest = surroundings_of(submission, home, kind);
+  Digest digest = digest_of_surroundings(submission, home, kind);
   digest.add("build").add(std::to_string(limits.compile_seconds));
   digest.add(std::to_string(limits.compile_memory_mb)).add(std::to_string(limits.object_mb));
   add(submission.course_headers, digest);
@@ -107,7 +107,7 @@ void keep_build(const Build& build) {
 
 KeptObjects::KeptObjects(const Submission& submission, const Home& home, BuildKind kind)
     : kept_(home.kept) {
-  if (kept_) surroundings_ = surroundings_of(submission, home, kind).hex();
+  if (kept_) surroundings_ = digest_of_surroundings(submission, home, kind).hex();
 }
 
 std::string KeptObjects::digest_of(const SourceFile& file) const {

@@ -81,7 +81,7 @@ std::string not_implemented(const std::string& function) {
 }
 
 /// "CGL::Vertex::normal" is Vertex::normal.
-std::string without_namespace(const std::string& name) {
+std::string without_course_namespace(const std::string& name) {
   for (const std::string space : {"CGL::", "::CGL::"}) {
     if (name.rfind(space, 0) == 0) return name.substr(space.size());
   }
@@ -147,7 +147,7 @@ void LeavingOut::mark_unwritten(const std::set<std::string>& functions) {
   std::vector<FunctionExtent> found = find_functions(text_);
   std::reverse(found.begin(), found.end());  // so that offsets before stay right
   for (const FunctionExtent& function : found) {
-    const std::string name = without_namespace(function.name);
+    const std::string name = without_course_namespace(function.name);
     const std::string head = text_.substr(function.begin, function.body - function.begin);
     const std::string body = text_.substr(function.body, function.end - function.body);
     if (!function.balanced || functions.count(name) == 0 || !does_nothing(head, body)) continue;

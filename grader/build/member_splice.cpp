@@ -102,7 +102,7 @@ Words words_of(const std::string& text) {
   Words words;
   std::string word;
   for (char c : code_only(text) + " ") {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+    if (is_word_character(c)) {
       word += c;
     } else {
       if (!word.empty()) words.insert(word);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,9 @@
 #include "grader/base/random.h"
 
 namespace meshgrade {
+
+/// The budget of a case on curves and patches, which have no handles to step through.
+inline constexpr std::uint64_t kNoSteps = 1000;
 
 /// Eighths, and a value near each end: all of them numbers that a float can hold.
 inline constexpr std::array<double, 9> kParameterGrid{

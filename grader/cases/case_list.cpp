@@ -55,7 +55,7 @@ std::vector<Case> make_with_seed(std::uint64_t seed, Assignment assignment,
 }
 
 /// What a case of an exercise calls unless it says so itself.
-std::vector<std::string> function_of(const std::string& exercise) {
+std::vector<std::string> main_function(const std::string& exercise) {
   static const std::map<std::string, std::string> functions{
       {"bezier_curve", "BezierCurve::evaluateStep"},
       {"vertex_normal", "Vertex::normal"},
@@ -110,7 +110,7 @@ void CaseMaker::add_packed(const std::string& group, const std::string& title,
                            std::vector<std::string> calls) {
   const auto named = [&](const Group& g) { return g.name == group; };
   if (std::none_of(rubric_.groups.begin(), rubric_.groups.end(), named)) return;
-  if (calls.empty()) calls = function_of(rubric_.name);
+  if (calls.empty()) calls = main_function(rubric_.name);
   const auto number = std::count_if(cases_.begin(), cases_.end(),
                                     [&](const Case& c) { return c.group == group; });
   cases_.push_back({rubric_.name, group, static_cast<int>(number) + 1, title, std::move(input),

@@ -68,7 +68,7 @@ std::vector<Operation> anchored_at_boundary(std::vector<Operation> operations) {
   return operations;
 }
 
-std::uint64_t budget_of(const OperationsInput& input) {
+std::uint64_t operations_budget(const OperationsInput& input) {
   return input.operations.size() * (2000 + 100 * input.mesh.polygons.size());
 }
 
@@ -148,7 +148,7 @@ std::string edge_text(VertexPair edge) {
 
 void add_operations(CaseMaker& maker, const std::string& group, const std::string& title,
                     const OperationsInput& input) {
-  maker.add(group, title, budget_of(input), input, called_by(input.operations));
+  maker.add(group, title, operations_budget(input), input, called_by(input.operations));
 }
 
 void add_every_edge(CaseMaker& maker, const std::string& group, OperationKind kind,
@@ -216,7 +216,7 @@ void add_more_boundary_splits(CaseMaker& maker, const std::string& group, Random
         "3 random splits of grid_4x4.obj, shaken, inside and at its boundary, before "
         "anything else (" +
             std::to_string(way + 1) + ")",
-        budget_of(input), input, called_by(input.operations));
+        operations_budget(input), input, called_by(input.operations));
   }
 }
 
@@ -306,7 +306,7 @@ void add_fresh_sequences(CaseMaker& maker, const std::string& group, OperationKi
     maker.add_fresh(group,
                     sequence_text(length, flips(kind)) + file +
                         ", shaken, before anything else (" + std::to_string(way + 1) + ")",
-                    budget_of(input), input, called_by(input.operations));
+                    operations_budget(input), input, called_by(input.operations));
   }
 }
 

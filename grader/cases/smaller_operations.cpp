@@ -26,7 +26,7 @@ std::string title(const OperationsInput& input) {
   return join(parts, ", then ") + " of " + input.mesh_name + anchoring_text(input.anchoring);
 }
 
-void add(CaseMaker& maker, const Case& failed, const OperationsInput& input) {
+void add_smaller(CaseMaker& maker, const Case& failed, const OperationsInput& input) {
   add_operations(maker, failed.group, title(input), input);
 }
 
@@ -84,11 +84,11 @@ void add_fewer(CaseMaker& maker, const Case& failed, const OperationsInput& inpu
   for (std::size_t length = 1; length < input.operations.size(); ++length) {
     OperationsInput beginning = input;
     beginning.operations.resize(length);
-    add(maker, failed, beginning);
+    add_smaller(maker, failed, beginning);
   }
   for (std::size_t i = 0; i < input.operations.size(); ++i) {
     if (auto rest = without(input.mesh, input.operations, i); rest && !rest->empty()) {
-      add(maker, failed, {input.mesh_name, input.mesh, input.anchoring, *rest});
+      add_smaller(maker, failed, {input.mesh_name, input.mesh, input.anchoring, *rest});
     }
   }
 }
@@ -117,7 +117,7 @@ void add_on_smaller_meshes(CaseMaker& maker, const Case& failed, const Operation
     for (int i = 0; i < kDraws; ++i) {
       const auto drawn = draw(rung.mesh, input.operations, random);
       if (!drawn) break;
-      add(maker, failed, {rung.file, rung.mesh, input.anchoring, *drawn});
+      add_smaller(maker, failed, {rung.file, rung.mesh, input.anchoring, *drawn});
     }
   }
 }

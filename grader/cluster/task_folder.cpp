@@ -8,17 +8,7 @@
 #include "grader/base/text.h"
 
 namespace meshgrade {
-namespace {
-
 namespace fs = std::filesystem;
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw UserError(folder.string() + ": cannot be made: " + error.message());
-}
-
-}  // namespace
 
 TaskFolder::TaskFolder(const fs::path& results) : folder_(fs::absolute(results) / ".tasks") {}
 

@@ -25,8 +25,8 @@ void append_point(std::string& text, const Point& point) {
   }
 }
 
-std::size_t read_count(TextScanner& scanner, const std::string& what, std::uint32_t least,
-                       std::uint32_t most) {
+std::size_t read_number_of(TextScanner& scanner, const std::string& what, std::uint32_t least,
+                           std::uint32_t most) {
   const std::uint32_t count = scanner.next_index("the number of " + what);
   if (count < least || count > most) {
     scanner.refuse(std::to_string(count) + " " + what + "; give " + std::to_string(least) +
@@ -45,8 +45,8 @@ ControlNet read_net_by_lines(TextScanner& scanner, std::size_t patch) {
   ControlNet net{4, 4, {}};
   scanner.require_line(name);
   if (scanner.count_words() == 2) {
-    net.rows = read_count(scanner, "rows", 2, kMostPoints);
-    net.cols = read_count(scanner, "columns", 2, kMostPoints);
+    net.rows = read_number_of(scanner, "rows", 2, kMostPoints);
+    net.cols = read_number_of(scanner, "columns", 2, kMostPoints);
     scanner.require_line("row 0 of " + name);
   }
   for (std::size_t row = 0; row < net.rows; ++row) {
@@ -104,7 +104,7 @@ std::vector<ControlNet> read_bez(const std::filesystem::path& file) {
   const Utf8Text text(bytes);
   TextScanner scanner(file, text.view());
   scanner.require_line("the number of patches");
-  const std::size_t n_patches = read_count(scanner, "patches", 1, kMostPatches);
+  const std::size_t n_patches = read_number_of(scanner, "patches", 1, kMostPatches);
   const bool has_line_of_its_own = !scanner.has_word();
   const bool may_be_by_words = count_words_to_the_end(scanner) == n_patches * 4 * 4 * 3;
   if (!has_line_of_its_own && !may_be_by_words) scanner.end_line();
@@ -137,7 +137,7 @@ std::vector<Point2> read_bzc(const std::filesystem::path& file) {
   const Utf8Text text(bytes);
   TextScanner scanner(file, text.view());
   scanner.require_line("the number of control points");
-  const std::size_t n_points = read_count(scanner, "control points", 2, kMostPoints);
+  const std::size_t n_points = read_number_of(scanner, "control points", 2, kMostPoints);
   std::vector<Point2> points;
   for (std::size_t k = 0; k < n_points; ++k) {
     const auto coordinate = [&](const std::string& axis) {

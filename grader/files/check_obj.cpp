@@ -81,7 +81,7 @@ void check_vertex(TextScanner& scanner, CheckedInput& input) {
   input.exact_positions.push_back(point);
 }
 
-NamedFace read_face(TextScanner& scanner, std::size_t n_vertices_so_far) {
+NamedFace read_named_face(TextScanner& scanner, std::size_t n_vertices_so_far) {
   NamedFace face{scanner.place(), {}};
   for (auto word = scanner.next_word(); !word.empty(); word = scanner.next_word())
     face.corners.push_back(corner_vertex(scanner, word, n_vertices_so_far));
@@ -151,7 +151,7 @@ CheckedInput check_obj(const std::filesystem::path& file, std::string_view bytes
     if (keyword == "v") {
       check_vertex(scanner, input);
     } else if (keyword == "f" || keyword == "fo") {
-      faces.push_back(read_face(scanner, input.exact_positions.size()));
+      faces.push_back(read_named_face(scanner, input.exact_positions.size()));
     } else if (!count_other_line(scanner, keyword, input.notes)) {
       if (unknown.place.empty()) unknown = {scanner.place(), in_quotes(keyword)};
       input.notes.left_out("line that starts with no word of OBJ (" + unknown.keyword + ")",

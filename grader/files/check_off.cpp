@@ -126,14 +126,14 @@ Header read_header(TextScanner& scanner) {
   return header;
 }
 
-void append_number(std::string& text, double number) {
+void append_exact(std::string& text, double number) {
   std::array<char, 32> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
   text.append(digits.data(), end.ptr);
 }
 
-void read_vertex(TextScanner& scanner, const Header& header, const Layout& layout,
-                 CheckedInput& input) {
+void read_off_vertex(TextScanner& scanner, const Header& header, const Layout& layout,
+                     CheckedInput& input) {
   const std::string name = "vertex v" + std::to_string(input.exact_positions.size());
   if (layout.line_per_vertex) scanner.require_line(name);
   const auto number = [&] {
@@ -154,7 +154,7 @@ void read_vertex(TextScanner& scanner, const Header& header, const Layout& layou
     scanner.next_word();
   }
   for (const double coordinate : point) {
-    append_number(input.bytes, coordinate);
+    append_exact(input.bytes, coordinate);
     input.bytes += ' ';
   }
   input.bytes.back() = '\n';
@@ -162,8 +162,8 @@ void read_vertex(TextScanner& scanner, const Header& header, const Layout& layou
 }
 
 /// Polygons need three corners; Geomview takes one for a point and two for a line.
-void read_face(TextScanner& scanner, std::size_t face, const Layout& layout,
-               CheckedInput& input) {
+void read_off_face(TextScanner& scanner, std::size_t face, const Layout& layout,
+                   CheckedInput& input) {
   const std::string name = "face f" + std::to_string(face);
   if (layout.line_per_face) {
     scanner.require_line(name);
@@ -210,13 +210,13 @@ Attempt attempt(TextScanner scanner, const Header& header, const Layout& layout)
   CheckedInput& input = result.input;
   try {
     for (std::uint32_t v = 0; v < header.n_vertices; ++v)
-      read_vertex(scanner, header, layout, input);
+      read_off_vertex(scanner, header, layout, input);
     if (layout.line_per_vertex) {
       while (scanner.has_word())
         scanner.next_word();
     }
     for (std::uint32_t f = 0; f < header.n_faces; ++f)
-      read_face(scanner, f, layout, input);
+      read_off_face(scanner, f, layout, input);
     result.is_exact = !scanner.has_word() && !scanner.next_line();
     if (!result.is_exact) {
       std::size_t n_lines = 1;

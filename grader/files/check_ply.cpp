@@ -46,8 +46,8 @@ void skip_property(const Path& file, PlyBody& body, const PlyProperty& property)
     body.skip(property.type);
 }
 
-void read_vertex(const Path& file, PlyBody& body, const PlyElement& element,
-                 CheckedInput& input, PlainBody& plain) {
+void read_ply_vertex(const Path& file, PlyBody& body, const PlyElement& element,
+                     CheckedInput& input, PlainBody& plain) {
   Point3 point{};
   for (const PlyProperty& property : element.properties) {
     const bool is_coordinate = !property.list_size && property.name.size() == 1 &&
@@ -105,7 +105,7 @@ void read_element(const Path& file, PlyBody& body, const PlyHeader& header,
     body.begin_element(name);
     const std::string place = body.place();
     if (element.is_vertex()) {
-      read_vertex(file, body, element, input, plain);
+      read_ply_vertex(file, body, element, input, plain);
     } else if (element.is_face()) {
       add_face(file, place, i, read_corners(file, body, element, name), header.n_vertices,
                input, plain);

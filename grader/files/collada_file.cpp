@@ -41,9 +41,9 @@ Transform look_at(const std::vector<double>& v) {
   return transform;
 }
 
-class SceneReader {
+class ColladaSceneReader {
  public:
-  explicit SceneReader(const ColladaDocument& document) : document_(document) {}
+  explicit ColladaSceneReader(const ColladaDocument& document) : document_(document) {}
 
   LoadedMesh read() {
     const Placement up{up_axis(), {}};
@@ -165,7 +165,7 @@ class SceneReader {
 
 LoadedMesh parse_collada(const std::filesystem::path& file, const std::string& bytes) {
   const ColladaDocument document(file, bytes);
-  return SceneReader(document).read();
+  return ColladaSceneReader(document).read();
 }
 
 }  // namespace meshgrade

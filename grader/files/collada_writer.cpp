@@ -22,7 +22,7 @@ void add_input(pugi::xml_node parent, const char* semantic, const char* source) 
   input.append_attribute("source") = source;
 }
 
-void add_positions(pugi::xml_node collada_mesh, const PolygonMesh& mesh) {
+void write_positions(pugi::xml_node collada_mesh, const PolygonMesh& mesh) {
   std::string text;
   for (const Point3& point : mesh.positions) {
     for (const double coordinate : point)
@@ -75,7 +75,7 @@ std::string format_collada(const PolygonMesh& mesh) {
   auto geometry = root.append_child("library_geometries").append_child("geometry");
   geometry.append_attribute("id") = "geometry";
   auto collada_mesh = geometry.append_child("mesh");
-  add_positions(collada_mesh, mesh);
+  write_positions(collada_mesh, mesh);
   add_polylist(collada_mesh, mesh);
 
   auto scene = root.append_child("library_visual_scenes").append_child("visual_scene");

@@ -12,8 +12,6 @@
 namespace meshgrade {
 namespace {
 
-constexpr std::size_t kMostUnstoredElements = 1'000'000;
-
 template <typename Number>
 double number_at(const unsigned char* data) {
   Number number;

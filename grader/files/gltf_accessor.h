@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -13,6 +14,10 @@ struct Accessor;
 }  // namespace tinygltf
 
 namespace meshgrade {
+
+/// An accessor without a buffer stands for zeros, of which a file of a few bytes can ask for
+/// any number.
+constexpr std::size_t kMostUnstoredElements = 1'000'000;
 
 /// Reads numbers of a glTF model, with every index and size checked. Every fault is a
 /// UserError "<file>:<place>: ...".

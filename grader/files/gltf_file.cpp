@@ -24,9 +24,9 @@ struct Visit {
   Transform parent;
 };
 
-class SceneReader {
+class GltfSceneReader {
  public:
-  SceneReader(const Path& file, const tinygltf::Model& model)
+  GltfSceneReader(const Path& file, const tinygltf::Model& model)
       : file_(file),
         model_(model),
         meshes_(file, model),
@@ -170,7 +170,7 @@ class SceneReader {
 
 LoadedMesh parse_gltf(const Path& file, const std::string& bytes) {
   const tinygltf::Model model = read_gltf_model(file, bytes);
-  return SceneReader(file, model).read();
+  return GltfSceneReader(file, model).read();
 }
 
 }  // namespace meshgrade

@@ -9,6 +9,7 @@
 
 #include "grader/base/text.h"
 #include "grader/files/file_bytes.h"
+#include "grader/files/gltf_accessor.h"
 #include "grader/files/gltf_document.h"
 #include "grader/files/meshopt_views.h"
 
@@ -18,7 +19,6 @@ namespace {
 using Json = nlohmann::json;
 using Path = std::filesystem::path;
 
-constexpr std::size_t kMostUnstoredElements = 1'000'000;
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
 /// What a mesh is made of. tinygltf would follow the rest, images for example, unchecked.
@@ -218,8 +218,8 @@ tinygltf::Model parse_plain(const Path& file, const Json& json) {
     error = fault.what();
   }
   if (ok) return model;
-  constexpr std::size_t kLongestError = 300;
-  error = error.substr(0, std::min(error.find('\n'), kLongestError));
+  constexpr std::size_t kLongestReason = 300;
+  error = error.substr(0, std::min(error.find('\n'), kLongestReason));
   refuse_file(file, "", "is not a valid glTF file: " + printable(error));
 }
 

@@ -20,7 +20,7 @@ std::vector<Ref> identity(std::size_t size) {
   return map;
 }
 
-void add(std::vector<Ref>& list, Ref ref) {
+void add_once(std::vector<Ref>& list, Ref ref) {
   if (std::find(list.begin(), list.end(), ref) == list.end()) list.push_back(ref);
 }
 
@@ -52,19 +52,19 @@ std::vector<Ref> old_halfedges(const MeshDump& before, const MeshDump& after, Re
   std::vector<Ref> list;
   const Ref first = before.edges[edge].halfedge;
   for (Ref side : {first, before.halfedges[first].twin}) {
-    add(list, side);
+    add_once(list, side);
     if ((before.halfedges[side].face & kBoundaryBit) != 0) continue;
     for (Ref h = before.halfedges[side].next; h != side; h = before.halfedges[h].next)
-      add(list, h);
+      add_once(list, h);
   }
   const std::size_t inner = list.size();
   for (std::size_t i = 0; i < inner; ++i)
-    add(list, before.halfedges[list[i]].twin);
+    add_once(list, before.halfedges[list[i]].twin);
   const std::size_t most = list.size() + kMostFarOnes;
   const std::size_t known = std::min(before.halfedges.size(), after.halfedges.size());
   for (Ref h = 0; h < known && list.size() < most; ++h) {
     if (before.halfedges[h].live != 0 && !same(before.halfedges[h], after.halfedges[h]))
-      add(list, h);
+      add_once(list, h);
   }
   return list;
 }
@@ -74,7 +74,7 @@ std::vector<Ref> inner_faces(const MeshDump& before, Ref edge) {
   const Ref first = before.edges[edge].halfedge;
   for (Ref side : {first, before.halfedges[first].twin}) {
     const Ref face = before.halfedges[side].face;
-    if ((face & kBoundaryBit) == 0) add(list, face);
+    if ((face & kBoundaryBit) == 0) add_once(list, face);
   }
   return list;
 }

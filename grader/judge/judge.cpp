@@ -185,8 +185,8 @@ void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
   judgement.findings.push_back(std::move(finding));
 }
 
-void judge_steps(const ExerciseJudge& judge, const JudgeTask& task, Conventions& conventions,
-                 CaseJudgement& judgement) {
+void judge_steps_safely(const ExerciseJudge& judge, const JudgeTask& task,
+                        Conventions& conventions, CaseJudgement& judgement) {
   try {
     judge.judge_steps(task, conventions, judgement);
   } catch (const WireError& error) {
@@ -291,7 +291,7 @@ CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
                          : "not run: too many cases like this one ran out of time before it";
     return judgement;
   }
-  judge_steps(judge, task, conventions, judgement);
+  judge_steps_safely(judge, task, conventions, judgement);
   if (judgement.verdict == Verdict::kNotJudged) return judgement;
   const bool wrong_before = !judgement.findings.empty();
   if (outcome.ending == Ending::kFault) {

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 
+#include "grader/base/contains.h"
+
 namespace meshgrade {
 namespace {
 
-bool contains(const std::vector<Ref>& list, Ref ref) {
-  return std::find(list.begin(), list.end(), ref) != list.end();
-}
-
-class Choice {
+class LabelSearch {
  public:
-  Choice(const std::vector<WantedLabel>& wanted, const std::vector<Ref>& available)
+  LabelSearch(const std::vector<WantedLabel>& wanted, const std::vector<Ref>& available)
       : wanted_(wanted), current_(wanted.size(), kUnsetRef) {
     for (const WantedLabel& w : wanted)
       options_.push_back(options_of(w, available));
@@ -89,7 +87,7 @@ void hand_out_the_rest(const std::vector<WantedLabel>& wanted,
 
 std::size_t choose_labels(const std::vector<WantedLabel>& wanted,
                           const std::vector<Ref>& available, std::vector<Ref>& chosen) {
-  Choice choice(wanted, available);
+  LabelSearch choice(wanted, available);
   choice.run(chosen);
   hand_out_the_rest(wanted, available, chosen);
   return choice.cost();

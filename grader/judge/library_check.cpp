@@ -106,7 +106,7 @@ Finding about_anything(const std::string& subject) {
                       "what does the documentation of this function ask of its arguments?");
 }
 
-Finding explain(const std::string& subject) {
+Finding explain_failed_check(const std::string& subject) {
   const std::size_t in = subject.find("in ");
   const std::string condition = subject.substr(0, in);
   const LibraryCall call = find_call(in == std::string::npos ? "" : subject.substr(in + 3));
@@ -124,7 +124,7 @@ Finding explain(const std::string& subject) {
 }  // namespace
 
 Finding library_check_finding(const Outcome& outcome) {
-  Finding finding = explain(outcome.subject);
+  Finding finding = explain_failed_check(outcome.subject);
   finding.stack = outcome.stack;
   return finding;
 }

@@ -61,13 +61,13 @@ SplitMesh split_all(const MeshDump& before, SplitOrder order) {
   return split;
 }
 
-using Choice = std::function<bool(const SplitEdge&)>;
+using EdgeChoice = std::function<bool(const SplitEdge&)>;
 
 void flip_inner(MeshDump& mesh, Ref edge) {
   if (!is_boundary_edge(mesh, edge)) model_flip(mesh, edge);
 }
 
-MeshDump flip_after_all(SplitMesh split, const Choice& is_flipped) {
+MeshDump flip_after_all(SplitMesh split, const EdgeChoice& is_flipped) {
   for (const SplitEdge& e : split.edges) {
     if (is_flipped(e)) flip_inner(split.mesh, e.edge);
   }
@@ -75,7 +75,7 @@ MeshDump flip_after_all(SplitMesh split, const Choice& is_flipped) {
 }
 
 /// Flips directly after the split that made the edge.
-MeshDump flip_at_once(const MeshDump& before, SplitOrder order, const Choice& is_flipped) {
+MeshDump flip_at_once(const MeshDump& before, SplitOrder order, const EdgeChoice& is_flipped) {
   MeshDump mesh = before;
   for (Ref e : live_edges(before)) {
     for (const SplitEdge& made : split_edge(mesh, e, order)) {
@@ -131,7 +131,7 @@ constexpr FlipMistake kFlipMistakes[] = {
 bool explains(const FlipMistake& mistake, SplitOrder order, const MeshDump& before,
               const MeshDump& actual, Ref first_marked) {
   const Ref first_new = static_cast<Ref>(before.vertices.size());
-  const Choice is_flipped = [&](const SplitEdge& e) {
+  const EdgeChoice is_flipped = [&](const SplitEdge& e) {
     return mistake.is_flipped(e, first_new, first_marked);
   };
   const MeshDump predicted = mistake.at_once

@@ -23,13 +23,13 @@ struct Division {
 };
 
 /// Points that are computed by the same formula.
-struct Kind {
+struct PointKind {
   std::vector<Division> divisions;
   std::function<bool(const Origin&)> holds;
   std::function<Point3(const Origin&, const Zeros&)> point;
 };
 
-Kind edges_inside(const Neighbourhoods& near) {
+PointKind edges_inside(const Neighbourhoods& near) {
   return {{{"3/8", "3.0 / 8.0"}, {"1/8", "1.0 / 8.0"}},
           [&](const Origin& o) { return !o.is_old() && near.opposite(o).size() == 2; },
           [&](const Origin& e, const Zeros& zero) {
@@ -38,7 +38,7 @@ Kind edges_inside(const Neighbourhoods& near) {
           }};
 }
 
-Kind edges_on_boundary(const Neighbourhoods& near) {
+PointKind edges_on_boundary(const Neighbourhoods& near) {
   return {{{"1/2", "1.0 / 2.0"}},
           [&](const Origin& o) { return !o.is_old() && near.opposite(o).size() == 1; },
           [&](const Origin& e, const Zeros& zero) {
@@ -46,7 +46,7 @@ Kind edges_on_boundary(const Neighbourhoods& near) {
           }};
 }
 
-Kind vertices_on_boundary(const Neighbourhoods& near) {
+PointKind vertices_on_boundary(const Neighbourhoods& near) {
   return {{{"3/4", "3.0 / 4.0"}, {"1/8", "1.0 / 8.0"}},
           [&](const Origin& o) { return o.is_old() && near.on_boundary[o.a]; },
           [&](const Origin& v, const Zeros& zero) {
@@ -65,7 +65,7 @@ bool is_inside(const Neighbourhoods& near, const Origin& o) {
 }
 
 /// 3/16 for three neighbours, otherwise 3 / (8 n).
-Kind vertices_by_warren(const Neighbourhoods& near) {
+PointKind vertices_by_warren(const Neighbourhoods& near) {
   return {{{"3/16", "3.0 / 16.0"}, {"3 / (8 n)", "3.0 / (8.0 * n)"}},
           [&](const Origin& o) { return is_inside(near, o); },
           [&](const Origin& v, const Zeros& zero) {
@@ -77,7 +77,7 @@ Kind vertices_by_warren(const Neighbourhoods& near) {
 }
 
 /// 1/n (5/8 - (3/8 + 1/4 cos(2 pi / n))^2): Loop 1987.
-Kind vertices_by_loop(const Neighbourhoods& near) {
+PointKind vertices_by_loop(const Neighbourhoods& near) {
   return {{{"1/n", "1.0 / n"},
            {"5/8", "5.0 / 8.0"},
            {"3/8 in the weight of old vertices", "3.0 / 8.0"},
@@ -93,7 +93,7 @@ Kind vertices_by_loop(const Neighbourhoods& near) {
 }
 
 /// The fewest divisions of a kind whose loss explains all of its points; nothing if none does.
-std::optional<Zeros> fewest(const Kind& kind, const RefinedStep& step,
+std::optional<Zeros> fewest(const PointKind& kind, const RefinedStep& step,
                             const std::vector<Point3>& actual, double allowed) {
   std::vector<Zeros> possible;
   for (unsigned long bits = 0; bits < 1UL << kind.divisions.size(); ++bits)
@@ -128,14 +128,14 @@ std::string advice(const std::vector<Division>& lost) {
 
 /// What is lost if old vertices inside have the weights of this rule; nothing if divisions do
 /// not explain all points.
-std::optional<Misconception> explain(const RefinedStep& step, const RightPositions& right,
-                                     const std::vector<Point3>& actual, double allowed) {
+std::optional<Misconception> explain_step(const RefinedStep& step, const RightPositions& right,
+                                          const std::vector<Point3>& actual, double allowed) {
   const Neighbourhoods near(step.old);
   const bool loops = right.rule == VertexRule::kLoop;
-  const Kind inside = loops ? vertices_by_loop(near) : vertices_by_warren(near);
+  const PointKind inside = loops ? vertices_by_loop(near) : vertices_by_warren(near);
   std::vector<Division> lost;
   std::size_t lost_elsewhere = 0;
-  for (const Kind& kind :
+  for (const PointKind& kind :
        {edges_inside(near), edges_on_boundary(near), vertices_on_boundary(near), inside}) {
     lost_elsewhere = lost.size();
     const std::optional<Zeros> zero = fewest(kind, step, actual, allowed);
@@ -154,7 +154,7 @@ std::optional<Misconception> explain(const RefinedStep& step, const RightPositio
 Misconceptions recognize_divisions(const RefinedStep& step, const std::vector<Point3>& actual,
                                    double allowed) {
   for (const RightPositions& right : step.right) {
-    if (const auto explained = explain(step, right, actual, allowed)) return {*explained};
+    if (const auto explained = explain_step(step, right, actual, allowed)) return {*explained};
   }
   return {};
 }

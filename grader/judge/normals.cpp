@@ -25,7 +25,7 @@ double length(const Point3& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
 
-void add(Point3& sum, const Point3& a, double factor) {
+void add_scaled(Point3& sum, const Point3& a, double factor) {
   for (std::size_t i = 0; i < 3; ++i)
     sum[i] += factor * a[i];
 }
@@ -66,7 +66,7 @@ std::vector<Point3> weighted_sums(const PolygonMesh& mesh, NormalWeight weight) 
       if (weight == NormalWeight::kEqual) factor = 1.0 / size;
       if (weight == NormalWeight::kAngle) factor = angle(to_next, to_last) / size;
       if (weight == NormalWeight::kAreaSquared) factor = size;
-      add(sums[t[i]], area, factor);
+      add_scaled(sums[t[i]], area, factor);
     }
   }
   return sums;
@@ -85,10 +85,10 @@ std::vector<Point3> boundary_loop_areas(const PolygonMesh& mesh, LoopPart part) 
   for (const auto& [vertex, after] : next) {
     const Point3& origin = mesh.positions[vertex];
     for (std::uint32_t v = after; next.at(v) != vertex; v = next.at(v)) {
-      add(areas[vertex],
-          cross(subtract(mesh.positions[v], origin),
-                subtract(mesh.positions[next.at(v)], origin)),
-          1.0);
+      add_scaled(areas[vertex],
+                 cross(subtract(mesh.positions[v], origin),
+                       subtract(mesh.positions[next.at(v)], origin)),
+                 1.0);
       if (part == LoopPart::kTriangle) break;
     }
   }
@@ -101,7 +101,8 @@ std::vector<Point3> with_boundary_loop(const PolygonMesh& mesh, NormalWeight wei
   const std::vector<Point3> loops = boundary_loop_areas(mesh, part);
   for (std::size_t v = 0; v < sums.size(); ++v) {
     const double size = length(loops[v]);
-    if (size > 0.0) add(sums[v], loops[v], weight == NormalWeight::kEqual ? 1.0 / size : 1.0);
+    if (size > 0.0)
+      add_scaled(sums[v], loops[v], weight == NormalWeight::kEqual ? 1.0 / size : 1.0);
   }
   return scaled_to_unit(std::move(sums));
 }
@@ -144,10 +145,10 @@ std::vector<Point3> sums_of(const PolygonMesh& mesh, Summand summand) {
   std::vector<Point3> sums(mesh.positions.size(), Point3{});
   for (const auto& t : mesh.polygons) {
     for (std::size_t i = 0; i < 3; ++i) {
-      add(sums[t[i]],
-          summand(mesh.positions[t[i]], mesh.positions[t[(i + 1) % 3]],
-                  mesh.positions[t[(i + 2) % 3]]),
-          1.0);
+      add_scaled(sums[t[i]],
+                 summand(mesh.positions[t[i]], mesh.positions[t[(i + 1) % 3]],
+                         mesh.positions[t[(i + 2) % 3]]),
+                 1.0);
     }
   }
   return sums;
@@ -162,7 +163,7 @@ void predict_positions_for_edges(const PolygonMesh& mesh, Predictions& predictio
   const auto weighted = [](const Point3& v, const Point3& a, const Point3& b) {
     const Point3 area = cross(subtract(a, v), subtract(b, v));
     Point3 sum{};
-    add(sum, area, length(cross(a, b)) / length(area));
+    add_scaled(sum, area, length(cross(a, b)) / length(area));
     return sum;
   };
   predictions.push_back({"positions-for-edges", sums_of(mesh, weighted)});
@@ -174,14 +175,14 @@ void predict_position_added(const PolygonMesh& mesh, const std::vector<Point3>& 
     std::vector<Point3> sums = weighted_sums(mesh, NormalWeight::kArea);
     for (std::size_t v = 0; v < sums.size(); ++v) {
       Point3 sum = mesh.positions[v];
-      add(sum, sums[v], factor);
+      add_scaled(sum, sums[v], factor);
       sums[v] = sum;
     }
     predictions.push_back({"position-added", std::move(sums)});
   }
   std::vector<Point3> moved = expected;
   for (std::size_t v = 0; v < moved.size(); ++v)
-    add(moved[v], mesh.positions[v], 1.0);
+    add_scaled(moved[v], mesh.positions[v], 1.0);
   predictions.push_back({"position-added", std::move(moved)});
 }
 
@@ -202,8 +203,8 @@ void predict_neighbours_area(const PolygonMesh& mesh, Predictions& predictions) 
     for (std::size_t i = 0; i < 3; ++i) {
       const Point3& area = faces.at({t[i], t[(i + 1) % 3]});
       const Point3& next = faces.at({t[i], t[(i + 2) % 3]});
-      add(with_next[t[i]], area, length(next) / length(area));
-      add(with_last[t[i]], next, length(area) / length(next));
+      add_scaled(with_next[t[i]], area, length(next) / length(area));
+      add_scaled(with_last[t[i]], next, length(area) / length(next));
     }
   }
   predictions.push_back({"neighbours-area", std::move(with_next)});
@@ -218,7 +219,7 @@ bool some_neighbour_explains(const PolygonMesh& mesh, const std::vector<Point3>&
   std::vector<double> valence(mesh.positions.size(), 0.0);
   for (const auto& t : mesh.polygons) {
     for (std::size_t i = 0; i < 3; ++i) {
-      add(around[t[i]], mesh.positions[t[(i + 1) % 3]], 1.0);
+      add_scaled(around[t[i]], mesh.positions[t[(i + 1) % 3]], 1.0);
       valence[t[i]] += 1.0;
     }
   }
@@ -231,7 +232,7 @@ bool some_neighbour_explains(const PolygonMesh& mesh, const std::vector<Point3>&
       const std::uint32_t w = t[(i + 1) % 3];
       if (v >= actual.size() || explained[v]) continue;
       Point3 seen = around[w];
-      add(seen, mesh.positions[v], -valence[w]);
+      add_scaled(seen, mesh.positions[v], -valence[w]);
       const Point3 from_v = cross(subtract(mesh.positions[w], mesh.positions[v]), seen);
       explained[v] = distance(expected[w], actual[v]) <= tolerance ||
                      distance(scaled_to_unit({from_v})[0], actual[v]) <= tolerance;
@@ -255,7 +256,7 @@ void predict_at_boundary(const PolygonMesh& mesh, Predictions& predictions) {
   predictions.push_back(std::move(nothing));
 }
 
-Predictions predict(const PolygonMesh& mesh, const std::vector<Point3>& expected) {
+Predictions predict_normals(const PolygonMesh& mesh, const std::vector<Point3>& expected) {
   Predictions predictions{
       {"equal-weights", vertex_normals(mesh, NormalWeight::kEqual)},
       {"angle-weights", vertex_normals(mesh, NormalWeight::kAngle)},
@@ -334,7 +335,7 @@ Misconceptions recognize_normals(const PolygonMesh& mesh, const std::vector<Poin
                                  const std::vector<Point3>& actual, double tolerance) {
   const Misconceptions& known = normal_misconceptions();
   const std::vector<Point3> directions = directions_of(actual);
-  Predictions predictions = predict(mesh, expected);
+  Predictions predictions = predict_normals(mesh, expected);
   for (auto& prediction : predictions) {
     prediction.points = directions_of(std::move(prediction.points));
     prediction.points.resize(actual.size());
@@ -347,7 +348,7 @@ Misconceptions recognize_normals(const PolygonMesh& mesh, const std::vector<Poin
     return scaled_to_unit({area})[0];
   };
   const auto without = [](const Point3& area, Point3 sum) {
-    add(sum, area, -1.0);
+    add_scaled(sum, area, -1.0);
     return scaled_to_unit({sum})[0];
   };
   if (some_face_explains(mesh, expected, directions, tolerance, alone)) {

@@ -9,17 +9,18 @@
 namespace meshgrade {
 namespace {
 
-struct Kind {
+struct CountedKind {
   const char* name;
   const char* maker;
   std::size_t Counts::*number;
 };
 
-constexpr std::array<Kind, 5> kKinds{{{"vertex", "newVertex", &Counts::vertices},
-                                      {"edge", "newEdge", &Counts::edges},
-                                      {"face", "newFace", &Counts::faces},
-                                      {"half-edge", "newHalfedge", &Counts::halfedges},
-                                      {"boundary loop", "newBoundary", &Counts::boundaries}}};
+constexpr std::array<CountedKind, 5> kCountedKinds{
+    {{"vertex", "newVertex", &Counts::vertices},
+     {"edge", "newEdge", &Counts::edges},
+     {"face", "newFace", &Counts::faces},
+     {"half-edge", "newHalfedge", &Counts::halfedges},
+     {"boundary loop", "newBoundary", &Counts::boundaries}}};
 
 std::string number_of(std::size_t count, const char* name) {
   const bool vertices = std::string(name) == "vertex" && count != 1;
@@ -30,7 +31,7 @@ std::string number_of(std::size_t count, const char* name) {
 
 std::string count_advice(const Counts& expected, const Counts& actual) {
   std::vector<std::string> parts;
-  for (const Kind& kind : kKinds) {
+  for (const CountedKind& kind : kCountedKinds) {
     const std::size_t want = expected.*kind.number;
     const std::size_t have = actual.*kind.number;
     if (have > want) {

@@ -1,18 +1,10 @@
 #include "grader/judge/options.h"
 
-#include <algorithm>
-
+#include "grader/base/contains.h"
 #include "grader/base/errors.h"
 #include "grader/base/text.h"
 
 namespace meshgrade {
-namespace {
-
-bool contains(const std::vector<std::string>& list, const std::string& value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
-
-}  // namespace
 
 void refuse_unknown_options(const ExerciseRubric& rubric,
                             const std::vector<std::string>& known) {

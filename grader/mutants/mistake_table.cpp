@@ -69,8 +69,8 @@ struct WireMistake {
   }
 };
 
-/// In a table, a bar would end the cell.
-std::string cell(std::string text) {
+/// In a table, a bar would end the escaped_cell.
+std::string escaped_cell(std::string text) {
   for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
     text.replace(at, 1, "\\|");
   return text;
@@ -116,8 +116,8 @@ std::string to_markdown(const std::vector<KnownMistake>& mistakes) {
       "| exercise | the mistake | rule | the first finding says |\n"
       "|---|---|---|---|\n";
   for (const KnownMistake& known : mistakes) {
-    text += "| " + known.exercise + " | " + cell(known.mistake) + " | `" + cell(known.rule) +
-            "` | " + cell(known.told) + " |\n";
+    text += "| " + known.exercise + " | " + escaped_cell(known.mistake) + " | `" +
+            escaped_cell(known.rule) + "` | " + escaped_cell(known.told) + " |\n";
   }
   return text;
 }

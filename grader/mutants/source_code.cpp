@@ -5,16 +5,13 @@
 #include <cctype>
 
 #include "grader/base/errors.h"
+#include "grader/base/text.h"
 
 namespace meshgrade {
 namespace {
 
 constexpr std::array<std::string_view, 14> kLongSymbols{
     "->", "++", "--", "+=", "-=", "*=", "/=", "==", "!=", "<=", ">=", "&&", "||", "::"};
-
-bool is_word_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 std::size_t symbol_length(std::string_view rest) {
   for (std::string_view symbol : kLongSymbols) {

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void require(const fs::path& target, const std::error_code& error) {
+void require_written(const fs::path& target, const std::error_code& error) {
   if (!error) return;
   throw UserError(target.string() + ": cannot be written: " + error.message());
 }
@@ -18,9 +18,9 @@ void require(const fs::path& target, const std::error_code& error) {
 void copy_one(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::create_directories(to.parent_path(), error);
-  require(to.parent_path(), error);
+  require_written(to.parent_path(), error);
   fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
-  require(to, error);
+  require_written(to, error);
 }
 
 bool is_same(const fs::path& a, const fs::path& b) {
@@ -62,7 +62,7 @@ std::vector<PackagePart> grader_parts(const fs::path& project) {
 void make_package_folder(const fs::path& target) {
   std::error_code error;
   fs::create_directories(target, error);
-  require(target, error);
+  require_written(target, error);
   if (!fs::is_empty(target, error)) {
     throw UserError(target.string() + " is not empty; name a new folder with -o");
   }

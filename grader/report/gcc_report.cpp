@@ -1,7 +1,6 @@
 #include "grader/report/gcc_report.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -53,8 +52,7 @@ std::string without_class(const std::string& function) {
 
 bool is_word_in(const std::string& text, const std::string& word) {
   const auto is_part = [&](std::size_t at) {
-    return at < text.size() &&
-           (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+    return at < text.size() && is_word_character(text[at]);
   };
   for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {
     if ((at == 0 || !is_part(at - 1)) && !is_part(at + word.size())) return true;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMargin = 14.0;
 constexpr double kTitleHeight = 28.0;
-constexpr std::size_t kMostListed = 12;
+constexpr std::size_t kMostListedPointers = 12;
 
 struct PanelTitle {
   PanelPart part;
@@ -39,7 +39,7 @@ std::vector<PanelTitle> panel_titles(const NeighbourhoodFigure& figure) {
 
 void list_faults(ListColumn& column, const NeighbourhoodFigure& figure) {
   bool headed[] = {false, false};
-  for (std::size_t i = 0; i < std::min(figure.faults.size(), kMostListed); ++i) {
+  for (std::size_t i = 0; i < std::min(figure.faults.size(), kMostListedPointers); ++i) {
     const FigureFault& fault = figure.faults[i];
     if (!headed[fault.was_set ? 1 : 0]) {
       column.heading(fault.was_set ? "Set, but wrong:" : "Not changed, but must be:");
@@ -47,8 +47,8 @@ void list_faults(ListColumn& column, const NeighbourhoodFigure& figure) {
     }
     column.numbered(i + 1, fault.text);
   }
-  if (figure.faults.size() > kMostListed) {
-    column.sentence("and " + std::to_string(figure.faults.size() - kMostListed) +
+  if (figure.faults.size() > kMostListedPointers) {
+    column.sentence("and " + std::to_string(figure.faults.size() - kMostListedPointers) +
                     " more: the report lists them all");
   }
 }

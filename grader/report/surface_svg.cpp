@@ -19,10 +19,10 @@ constexpr double kSide = 440.0;
 constexpr double kMargin = 14.0;
 constexpr double kTitleHeight = 28.0;
 constexpr double kTilt = 0.6;  // off the normal, so that an error along it can be seen
-constexpr double kTagSize = 13.5;
+constexpr double kVertexTagSize = 13.5;
 constexpr std::size_t kMostTags = 6;
 constexpr std::size_t kMostHollow = 40;
-constexpr std::size_t kMostListed = 10;
+constexpr std::size_t kMostListedVertices = 10;
 
 /// The view from one side, without perspective.
 class View : public Projection {
@@ -157,7 +157,7 @@ class SurfacePanel {
   void draw_tag(const SvgPen& pen, std::size_t i, const char* color) {
     const SurfaceMark& mark = figure_.marks[i];
     const std::string text = std::to_string(i + 1) + " " + mark.name;
-    const double width = text_width(text, kTagSize) + 10.0;
+    const double width = text_width(text, kVertexTagSize) + 10.0;
     const Spot at = spot(vertex_of(mark));
     std::vector<Spot> wanted;
     for (Spot way : {Spot{0.0, -24.0}, Spot{0.0, 24.0}, Spot{46.0, -10.0}, Spot{-46.0, -10.0}})
@@ -170,7 +170,7 @@ class SurfacePanel {
       group.circle(at, 7.0, "none", {color, 2.0, is_hidden(mark.vertex) ? "3 2" : ""});
     }
     group.box(box_around(place, width, 17.0), 4.0, color, {ink::kPaper, 1.0});
-    group.text(place, text, {kTagSize, ink::kPaper, true});
+    group.text(place, text, {kVertexTagSize, ink::kPaper, true});
   }
 
   SvgPen pen_;
@@ -195,11 +195,12 @@ SvgPen panel_pen(const SvgPen& pen, const Box& frame, int number, const char* cs
 
 void list_marks(ListColumn& column, const SurfaceFigure& figure) {
   if (!figure.marks.empty()) column.heading("The worst first:");
-  for (std::size_t i = 0; i < std::min(figure.marks.size(), kMostListed); ++i) {
+  for (std::size_t i = 0; i < std::min(figure.marks.size(), kMostListedVertices); ++i) {
     column.numbered(i + 1, figure.marks[i].name + ": " + figure.marks[i].text);
   }
-  if (figure.marks.size() > kMostListed) {
-    column.sentence("and " + std::to_string(figure.marks.size() - kMostListed) + " more");
+  if (figure.marks.size() > kMostListedVertices) {
+    column.sentence("and " + std::to_string(figure.marks.size() - kMostListedVertices) +
+                    " more");
   }
   column.gap();
   column.quiet(figure.marks.size() > kMostHollow

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "grader/base/text.h"
+
 namespace meshgrade {
 namespace {
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 class Blanker {
  public:
@@ -88,7 +86,7 @@ class Blanker {
   bool is_raw() const {
     if (at_ == 0 || text_[at_ - 1] != 'R') return false;
     std::size_t start = at_ - 1;
-    while (start > 0 && is_word(text_[start - 1]))
+    while (start > 0 && is_word_character(text_[start - 1]))
       --start;
     const std::string_view prefix = text_.substr(start, at_ - 1 - start);
     return prefix.empty() || prefix == "u8" || prefix == "u" || prefix == "U" || prefix == "L";

@@ -28,10 +28,6 @@ bool is_space(char c) {
   return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 /// Where the parenthesis that opens at `open` closes; npos if it does not.
 std::size_t closing(const std::string& code, std::size_t open) {
   int depth = 0;
@@ -47,7 +43,7 @@ bool defines(const std::string& code, const std::string& function) {
   const std::string head = function + "(";
   for (std::size_t at = code.find(head); at != std::string::npos;
        at = code.find(head, at + 1)) {
-    if (at > 0 && is_word(code[at - 1])) continue;
+    if (at > 0 && is_word_character(code[at - 1])) continue;
     const std::size_t end = closing(code, at + function.size());
     if (end == std::string::npos) continue;
     const std::string rest = code.substr(end + 1, 7);
@@ -81,7 +77,8 @@ std::string squeeze(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (is_space(text[i])) continue;
     const bool after_space = i > 0 && is_space(text[i - 1]);
-    if (after_space && !result.empty() && is_word(result.back()) && is_word(text[i])) {
+    if (after_space && !result.empty() && is_word_character(result.back()) &&
+        is_word_character(text[i])) {
       result += ' ';
     }
     result += text[i];

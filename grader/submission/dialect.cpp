@@ -1,7 +1,6 @@
 #include "grader/submission/dialect.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <string>
 
@@ -13,10 +12,6 @@ namespace meshgrade {
 namespace {
 
 using Files = std::vector<SourceFile>;
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 std::string all_code(const Files& files) {
   std::string code;
@@ -34,7 +29,7 @@ bool names_course_namespace(const std::string& code) {
   for (std::size_t at = code.find(words); at != std::string::npos;
        at = code.find(words, at + 1)) {
     const std::size_t end = at + words.size();
-    if (end == code.size() || !is_word(code[end])) return true;
+    if (end == code.size() || !is_word_character(code[end])) return true;
   }
   return false;
 }

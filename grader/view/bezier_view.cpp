@@ -20,7 +20,7 @@ constexpr int kCurveSamples = 64;
 constexpr int kMostDensity = 64;
 
 template <class Input>
-Case case_of(const std::string& exercise, const Input& input) {
+Case bezier_case(const std::string& exercise, const Input& input) {
   Case asked;
   asked.exercise = exercise;
   asked.group = kViewTask;
@@ -29,7 +29,8 @@ Case case_of(const std::string& exercise, const Input& input) {
   return asked;
 }
 
-CaseReport tell(const StudentProgram& program, const Case& asked, const Outcome& outcome) {
+CaseReport tell_bezier(const StudentProgram& program, const Case& asked,
+                       const Outcome& outcome) {
   ExerciseRubric rubric;
   rubric.name = asked.exercise;
   const ExerciseRubric* known = program.assignment().find(asked.exercise);
@@ -135,14 +136,14 @@ CurveLook look_at_curve(const StudentProgram& program, const std::vector<Point2>
   CurveLook look;
   look.points = points;
   look.t = t;
-  std::vector<Case> cases{case_of("bezier_curve", curve_input(points, t))};
+  std::vector<Case> cases{bezier_case("bezier_curve", curve_input(points, t))};
   for (int i = 0; i <= kCurveSamples; ++i) {
     const CurveInput input = curve_input(points, static_cast<double>(i) / kCurveSamples);
-    cases.push_back(case_of("bezier_curve", input));
+    cases.push_back(bezier_case("bezier_curve", input));
     look.exact.push_back(bernstein(points, input.t));
   }
   std::vector<Outcome> outcomes = program.run(cases);
-  look.told = tell(program, cases[0], outcomes[0]);
+  look.told = tell_bezier(program, cases[0], outcomes[0]);
   for (const std::string& step : outcomes[0].steps)
     look.levels.push_back(from_wire<CurveStep>(step).result);
   outcomes.erase(outcomes.begin());
@@ -166,7 +167,7 @@ PatchLook look_at_patches(const StudentProgram& program, const std::vector<Contr
     }
     require_net(input.net);
     input.parameters = grid_parameters(density);
-    cases.push_back(case_of("bezier_patch", input));
+    cases.push_back(bezier_case("bezier_patch", input));
   }
   const std::vector<Outcome> outcomes = program.run(cases);
   PatchLook look;
@@ -174,7 +175,7 @@ PatchLook look_at_patches(const StudentProgram& program, const std::vector<Contr
   for (std::size_t i = 0; i < cases.size(); ++i) {
     look.grids.push_back(surface_points(outcomes[i], 0, outcomes[i].steps.size()));
     if (i == 0 || look.told.verdict == Verdict::kPassed)
-      look.told = tell(program, cases[i], outcomes[i]);
+      look.told = tell_bezier(program, cases[i], outcomes[i]);
   }
   return look;
 }
@@ -195,9 +196,9 @@ Json view_patch(const StudentProgram& program, const Json& request) {
     throw UserError("a surface is sampled 1 to 64 times along each side");
   }
   input.parameters = grid_parameters(static_cast<int>(asked_density));
-  const Case asked = case_of("bezier_patch", input);
+  const Case asked = bezier_case("bezier_patch", input);
   const Outcome outcome = program.run({asked}).at(0);
-  return {{"told", to_json_value(tell(program, asked, outcome))},
+  return {{"told", to_json_value(tell_bezier(program, asked, outcome))},
           {"grid", to_json_list(surface_points(outcome, 0, outcome.steps.size()))}};
 }
 
@@ -210,7 +211,7 @@ Json view_isocurves(const StudentProgram& program, const Json& request) {
     input.parameters.push_back({static_cast<double>(i) / kCurveSamples, v});
   for (int i = 0; i <= kCurveSamples; ++i)
     input.parameters.push_back({u, static_cast<double>(i) / kCurveSamples});
-  const Case asked = case_of("bezier_patch", input);
+  const Case asked = bezier_case("bezier_patch", input);
   const Outcome outcome = program.run({asked}).at(0);
   return {{"along_u", to_json_list(surface_points(outcome, 0, kCurveSamples + 1))},
           {"along_v",

@@ -10,7 +10,7 @@ namespace meshgrade {
 namespace {
 
 /// The same as in the page's style sheet.
-struct Theme {
+struct CurveTheme {
   const char* ground;
   const char* ink;
   const char* polygon;
@@ -19,25 +19,25 @@ struct Theme {
   const char* result;
   std::array<const char*, 3> levels;
 };
-constexpr Theme kLight{"#fbfcfd",
-                       "#2a3440",
-                       "#4a5560",
-                       "#c9d2dc",
-                       "#0a5ca8",
-                       "#c03a00",
-                       {"#00745a", "#8a5a00", "#7a3fa0"}};
-constexpr Theme kDark{"#171b20",
-                      "#dfe5eb",
-                      "#b4bec9",
-                      "#3d4854",
-                      "#7fbcf5",
-                      "#ff8f5a",
-                      {"#5fd3b0", "#f0bd5a", "#c79bf0"}};
+constexpr CurveTheme kLightCurve{"#fbfcfd",
+                                 "#2a3440",
+                                 "#4a5560",
+                                 "#c9d2dc",
+                                 "#0a5ca8",
+                                 "#c03a00",
+                                 {"#00745a", "#8a5a00", "#7a3fa0"}};
+constexpr CurveTheme kDarkCurve{"#171b20",
+                                "#dfe5eb",
+                                "#b4bec9",
+                                "#3d4854",
+                                "#7fbcf5",
+                                "#ff8f5a",
+                                {"#5fd3b0", "#f0bd5a", "#c79bf0"}};
 
 class CurveArtist {
  public:
   CurveArtist(const SvgPen& pen, const CurveLook& look, const PictureRequest& request)
-      : pen_(pen), look_(look), theme_(request.dark ? kDark : kLight) {
+      : pen_(pen), look_(look), theme_(request.dark ? kDarkCurve : kLightCurve) {
     Point2 low{INFINITY, INFINITY};
     Point2 high{-INFINITY, -INFINITY};
     for (const Point2& p : look.points) {
@@ -110,7 +110,7 @@ class CurveArtist {
 
   SvgPen pen_;
   const CurveLook& look_;
-  const Theme& theme_;
+  const CurveTheme& theme_;
   double scale_ = 1.0;
   Spot middle_;
 };
@@ -123,7 +123,8 @@ std::string curve_svg(const CurveLook& look, std::size_t levels, const PictureRe
     const SvgPen pen(svg);
     const Spot size{static_cast<double>(request.size.width),
                     static_cast<double>(request.size.height)};
-    pen.box({0.0, 0.0, size.x, size.y}, 0.0, request.dark ? kDark.ground : kLight.ground, {});
+    pen.box({0.0, 0.0, size.x, size.y}, 0.0,
+            request.dark ? kDarkCurve.ground : kLightCurve.ground, {});
     const Box whole{0.0, 0.0, size.x, size.y};
     CurveArtist(pen.clipped_group("drawing", whole), look, request).draw(levels);
     return size;

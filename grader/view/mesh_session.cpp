@@ -35,8 +35,8 @@ MeshDump first_state(const PolygonMesh& polygons) {
   return dump_mesh(mesh);
 }
 
-CaseReport tell(const StudentProgram& program, const ViewOperation& operation,
-                CaseJudgement judgement, const Outcome& outcome) {
+CaseReport tell_step(const StudentProgram& program, const ViewOperation& operation,
+                     CaseJudgement judgement, const Outcome& outcome) {
   return program.tell(exercise_of(operation.kind), operation_text(operation),
                       std::move(judgement), outcome);
 }
@@ -98,7 +98,7 @@ void MeshSession::extend(const std::vector<ViewOperation>& operations) {
     judgement.verdict = Verdict::kCrashed;
     judgement.note = std::string("what it left behind cannot be read: ") + error.what() +
                      "; does the code write over memory that is not its own?";
-    stop.told = tell(program_, stop.operation, std::move(judgement), outcome);
+    stop.told = tell_step(program_, stop.operation, std::move(judgement), outcome);
     stopped_ = std::move(stop);
   }
 }
@@ -111,7 +111,7 @@ void MeshSession::take_steps(const std::vector<ViewOperation>& operations,
     CaseJudgement judgement =
         judge_view_step(program_.assignment(), states_.back().mesh, operations[i], step);
     Deviation deviation = std::move(judgement.deviation);
-    CaseReport told = tell(program_, operations[i], std::move(judgement), outcome);
+    CaseReport told = tell_step(program_, operations[i], std::move(judgement), outcome);
     operations_.push_back(operations[i]);
     states_.push_back({std::move(step.after), std::move(told), std::move(deviation)});
   }
@@ -123,10 +123,11 @@ void MeshSession::take_steps(const std::vector<ViewOperation>& operations,
     CaseJudgement gone;
     gone.verdict = Verdict::kNotJudged;
     gone.note = edge_name(stopped_at.edge) + " is not there any more";
-    stop.told = tell(program_, stopped_at, std::move(gone), outcome);
+    stop.told = tell_step(program_, stopped_at, std::move(gone), outcome);
   } else {
-    stop.told = tell(program_, stopped_at,
-                     judge_stop(program_.assignment(), start_, stopped_at, outcome), outcome);
+    stop.told =
+        tell_step(program_, stopped_at,
+                  judge_stop(program_.assignment(), start_, stopped_at, outcome), outcome);
   }
   if (!outcome.interrupted.empty()) {
     stop.mesh = from_wire<ViewStep>(outcome.interrupted).after;

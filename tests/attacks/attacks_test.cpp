@@ -78,18 +78,12 @@ std::string obstacle(const Sandbox& sandbox, Layer layer, const AttackExpectatio
   return {};
 }
 
-std::string read(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 Report attack(const std::string& name, const Sandbox& sandbox, const Limits& limits,
               const CrimeScene& scene) {
   Assignment assignment = read_assignment(standard_assignment());
   assignment.limits = limits;
   Submission submission = find_submission(kAttacks / name, assignment.submission);
-  submission.headers.push_back({"attack.h", read(kAttacks / "attack.h")});
+  submission.headers.push_back({"attack.h", bytes_of(kAttacks / "attack.h")});
   submission.headers.push_back({"paths.h", scene.paths_header()});
   Home home = find_home();
   home.sandbox = sandbox;

@@ -24,12 +24,6 @@ namespace fs = std::filesystem;
 constexpr const char* kLeftBehind = "meshgrade-attack-";
 constexpr const char* kVictim = "the instructor's results\n";
 
-std::string read(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 void write(const fs::path& file, const std::string& text, mode_t mode) {
   std::ofstream(file) << text;
   ::chmod(file.c_str(), mode);
@@ -42,6 +36,12 @@ std::string random_word() {
 }
 
 }  // namespace
+
+std::string bytes_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
 
 CrimeScene::CrimeScene() : scratch_(folder_.path() / "scratch"), secret_(random_word()) {
   // Open to all: what is inside must be safe all the same.
@@ -89,7 +89,7 @@ std::vector<pid_t> CrimeScene::left_processes() const {
     if (process <= 0 || process == ::getpid()) continue;
     std::error_code ignored;
     const std::string program = fs::read_symlink(entry.path() / "exe", ignored).string();
-    const std::string words = read(entry.path() / "cmdline");
+    const std::string words = bytes_of(entry.path() / "cmdline");
     if ((program + words).find(scratch_.string()) != std::string::npos) {
       found.push_back(process);
     }
@@ -123,7 +123,7 @@ std::vector<std::string> CrimeScene::traces() const {
   }
   add_left_files(found);
   const fs::path victim = folder_.path() / "results.txt";
-  if (read(victim) != kVictim) found.emplace_back("the instructor's file was changed");
+  if (bytes_of(victim) != kVictim) found.emplace_back("the instructor's file was changed");
   if (fs::exists(victim) && fs::hard_link_count(victim) != 1) {
     found.emplace_back("the instructor's file was linked");
   }

@@ -41,4 +41,7 @@ class CrimeScene {
   int port_ = 0;
 };
 
+/// The whole file; nothing if it cannot be read.
+std::string bytes_of(const std::filesystem::path& file);
+
 }  // namespace meshgrade

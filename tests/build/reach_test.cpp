@@ -10,8 +10,8 @@ namespace {
 
 using Places = std::vector<std::size_t>;
 
-const std::string kFlip = "EdgeIter HalfedgeMesh::flipEdge(EdgeIter e) { return e; }\n";
-const std::string kNormal = "Vector3D Vertex::normal() const { return {}; }\n";
+const std::string kFlipText = "EdgeIter HalfedgeMesh::flipEdge(EdgeIter e) { return e; }\n";
+const std::string kNormalText = "Vector3D Vertex::normal() const { return {}; }\n";
 const std::string kLoop =
     "void MeshResampler::upsample(HalfedgeMesh& m) { m.flipEdge(m.edgesBegin()); }\n";
 
@@ -25,7 +25,7 @@ Places reached(const std::vector<std::string>& texts, const std::string& functio
 }
 
 TEST(Reach, IsTheOwnFileAndThoseThatItCalls) {
-  const std::vector<std::string> texts{kFlip, kNormal, kLoop};
+  const std::vector<std::string> texts{kFlipText, kNormalText, kLoop};
   EXPECT_EQ(reached(texts, "Vertex::normal"), (Places{1}));
   EXPECT_EQ(reached(texts, "MeshResampler::upsample"), (Places{0, 2}));
   // Whoever names the function could be in its way when they are linked.
@@ -34,16 +34,16 @@ TEST(Reach, IsTheOwnFileAndThoseThatItCalls) {
 
 TEST(Reach, GoesOnThroughHelpersAndTypes) {
   EXPECT_EQ(
-      reached({"double half(double x);\n" + kNormal + "Vector3D f() { return half(1); }\n",
+      reached({"double half(double x);\n" + kNormalText + "Vector3D f() { return half(1); }\n",
                "int third() { return 3; }\ndouble half(double x) { return third() * x; }\n",
-               "int third();\n", kFlip},
+               "int third();\n", kFlipText},
               "Vertex::normal"),
       (Places{0, 1, 2}));
 }
 
 TEST(Reach, TwoDefinitionsOfOneNameBelongTogether) {
-  EXPECT_EQ(reached({"int helper() { return 1; }\n" + kNormal,
-                     "int helper() { return 2; }\n" + kFlip},
+  EXPECT_EQ(reached({"int helper() { return 1; }\n" + kNormalText,
+                     "int helper() { return 2; }\n" + kFlipText},
                     "Vertex::normal"),
             (Places{0, 1}));
 }
@@ -56,7 +56,7 @@ TEST(Reach, WhatCouldActWithoutBeingCalledIsInEverything) {
         "void* operator new(std::size_t);\n", "extern int other;\n",
         "void* memcpy(void* to, const void* from, std::size_t n) { return to; }\n",
         "void f() { asm(\"nop\"); }\n", "auto f = [] { return 1; };\n"}) {
-    EXPECT_EQ(reached({kNormal, text}, "Vertex::normal"), (Places{0, 1})) << text;
+    EXPECT_EQ(reached({kNormalText, text}, "Vertex::normal"), (Places{0, 1})) << text;
   }
 }
 
@@ -64,7 +64,7 @@ TEST(Reach, ConstantsAndTypesDoNotAct) {
   for (const char* text : {"constexpr double kU = 3.0 / 16.0;\n", "struct Corner { int a; };\n",
                            "enum Side { left, right };\n", "using Handle = EdgeIter;\n",
                            "using namespace std;\n", "namespace { int f() { return 1; } }\n"}) {
-    EXPECT_EQ(reached({kNormal, text}, "Vertex::normal"), (Places{0})) << text;
+    EXPECT_EQ(reached({kNormalText, text}, "Vertex::normal"), (Places{0})) << text;
   }
 }
 

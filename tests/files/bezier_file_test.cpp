@@ -12,7 +12,7 @@ namespace {
 
 using BezierFile = FilesTest;
 
-const std::string kMeshes = MESHGRADE_SOURCE_DIR "/meshes/";
+const std::string kNetFiles = MESHGRADE_SOURCE_DIR "/meshes/";
 
 std::string fault(const std::function<void()>& read) {
   try {
@@ -25,7 +25,7 @@ std::string fault(const std::function<void()>& read) {
 
 TEST_F(BezierFile, NetsOfAnySizeSurviveWritingAndReading) {
   for (const std::string name : {"wavy.bez", "net_3x5.bez", "teapot.bez"}) {
-    const std::vector<ControlNet> patches = read_bez(kMeshes + name);
+    const std::vector<ControlNet> patches = read_bez(kNetFiles + name);
     write_bez(path("copy.bez"), patches);
     const std::vector<ControlNet> copies = read_bez(path("copy.bez"));
     ASSERT_EQ(copies.size(), patches.size());
@@ -44,7 +44,7 @@ TEST_F(BezierFile, CurvesSurviveWritingAndReading) {
 }
 
 TEST_F(BezierFile, NetWithoutASizeIsFourByFour) {
-  const std::vector<ControlNet> patches = read_bez(kMeshes + "wavy.bez");
+  const std::vector<ControlNet> patches = read_bez(kNetFiles + "wavy.bez");
   ASSERT_EQ(patches.size(), 1U);
   EXPECT_EQ(patches[0].rows, 4U);
   EXPECT_EQ(patches[0].points.size(), 16U);
@@ -52,7 +52,7 @@ TEST_F(BezierFile, NetWithoutASizeIsFourByFour) {
 }
 
 TEST_F(BezierFile, NumbersMayStandBetweenAnyBlanks) {
-  const ControlNet wavy = read_bez(kMeshes + "wavy.bez").at(0);
+  const ControlNet wavy = read_bez(kNetFiles + "wavy.bez").at(0);
   std::string one_line = "1";
   std::string one_number_a_line =
       "\xEF\xBB\xBF"
@@ -118,7 +118,7 @@ std::vector<std::vector<Point3>> borders(const ControlNet& net) {
 }
 
 TEST(Teapot, HasThirtyTwoPatchesInItsKnownBox) {
-  const std::vector<ControlNet> patches = read_bez(kMeshes + "teapot.bez");
+  const std::vector<ControlNet> patches = read_bez(kNetFiles + "teapot.bez");
   ASSERT_EQ(patches.size(), 32U);
   Point3 low = patches[0].points[0];
   Point3 high = low;
@@ -137,7 +137,7 @@ TEST(Teapot, HasThirtyTwoPatchesInItsKnownBox) {
 TEST(Teapot, IsItsOwnMirrorImage) {
   std::multimap<double, Point3> by_sum;
   std::vector<Point3> points;
-  for (const ControlNet& net : read_bez(kMeshes + "teapot.bez")) {
+  for (const ControlNet& net : read_bez(kNetFiles + "teapot.bez")) {
     points.insert(points.end(), net.points.begin(), net.points.end());
   }
   // The tip of the lid has a handle of 0.002 that turns instead of being mirrored.
@@ -154,7 +154,7 @@ TEST(Teapot, IsItsOwnMirrorImage) {
 TEST(Teapot, PatchesOfTheBodyMeetWithoutAGap) {
   // Rim, body, lid and bottom: 24 patches, four around. Every border that is not a rim of its
   // part is shared with a neighbour, control point by control point.
-  const std::vector<ControlNet> patches = read_bez(kMeshes + "teapot.bez");
+  const std::vector<ControlNet> patches = read_bez(kNetFiles + "teapot.bez");
   std::map<std::vector<Point3>, int> uses;
   for (std::size_t p = 0; p < 24; ++p) {
     for (const auto& side : borders(patches[p]))

@@ -13,12 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kMeshes = MESHGRADE_SOURCE_DIR "/meshes";
+const fs::path kMeshFolder = MESHGRADE_SOURCE_DIR "/meshes";
 
 /// The rows of the README's tables whose first cell is a file name in backquotes.
 std::map<std::string, std::vector<std::string>> readme_rows() {
   std::map<std::string, std::vector<std::string>> rows;
-  std::ifstream readme(kMeshes / "README.md");
+  std::ifstream readme(kMeshFolder / "README.md");
   for (std::string line; std::getline(readme, line);) {
     if (!line.starts_with("| `")) continue;
     const std::size_t end = line.find('`', 3);
@@ -75,7 +75,7 @@ double enclosed_volume(const PolygonMesh& mesh) {
 
 void expect_row(const std::string& name, const std::vector<std::string>& row) {
   SCOPED_TRACE(name);
-  const PolygonMesh mesh = read_mesh(kMeshes / name).mesh;
+  const PolygonMesh mesh = read_mesh(kMeshFolder / name).mesh;
   const EdgeUse use = edge_use(mesh);
   EXPECT_EQ(std::to_string(mesh.positions.size()), row.at(0));
   EXPECT_EQ(std::to_string(use.size()), row.at(1));
@@ -94,10 +94,10 @@ void expect_row(const std::string& name, const std::vector<std::string>& row) {
 void expect_control_points(const std::string& name, const std::string& promised) {
   SCOPED_TRACE(name);
   if (name.ends_with(".bzc")) {
-    EXPECT_EQ(std::to_string(read_bzc(kMeshes / name).size()), promised);
+    EXPECT_EQ(std::to_string(read_bzc(kMeshFolder / name).size()), promised);
     return;
   }
-  const std::vector<ControlNet> patches = read_bez(kMeshes / name);
+  const std::vector<ControlNet> patches = read_bez(kMeshFolder / name);
   const std::string size =
       std::to_string(patches[0].rows) + " x " + std::to_string(patches[0].cols);
   const std::string prefix =
@@ -107,7 +107,7 @@ void expect_control_points(const std::string& name, const std::string& promised)
 
 TEST(CourseMeshes, AreWhatTheReadmePromises) {
   const auto rows = readme_rows();
-  for (const std::string& name : files_in(kMeshes)) {
+  for (const std::string& name : files_in(kMeshFolder)) {
     const auto row = rows.find(name);
     ASSERT_NE(row, rows.end()) << name << " has no row in meshes/README.md";
     if (name.ends_with(".bez") || name.ends_with(".bzc")) {
@@ -119,15 +119,15 @@ TEST(CourseMeshes, AreWhatTheReadmePromises) {
 }
 
 TEST(CourseMeshes, ReadmeNamesNoFileThatIsNotThere) {
-  std::set<std::string> files = files_in(kMeshes);
-  files.merge(files_in(kMeshes / "invalid"));
+  std::set<std::string> files = files_in(kMeshFolder);
+  files.merge(files_in(kMeshFolder / "invalid"));
   for (const auto& [name, row] : readme_rows())
     EXPECT_TRUE(files.contains(name)) << name;
 }
 
 TEST(CourseMeshes, ValenceZooHasEveryValenceFromThreeToTwelve) {
   std::map<std::uint32_t, int> valence;
-  for (const auto& [edge, times] : edge_use(read_mesh(kMeshes / "valence_zoo.obj").mesh)) {
+  for (const auto& [edge, times] : edge_use(read_mesh(kMeshFolder / "valence_zoo.obj").mesh)) {
     ++valence[edge.first];
     ++valence[edge.second];
   }
@@ -139,9 +139,9 @@ TEST(CourseMeshes, ValenceZooHasEveryValenceFromThreeToTwelve) {
 
 TEST(InvalidMeshes, AreRefusedInOneLineOrArriveWithAllTheirFacesOrANote) {
   const auto rows = readme_rows();
-  for (const std::string& name : files_in(kMeshes / "invalid")) {
+  for (const std::string& name : files_in(kMeshFolder / "invalid")) {
     SCOPED_TRACE(name);
-    const fs::path file = kMeshes / "invalid" / name;
+    const fs::path file = kMeshFolder / "invalid" / name;
     ASSERT_TRUE(rows.contains(name));
     if (rows.at(name).at(0) == "surface") {
       std::ifstream text(file);

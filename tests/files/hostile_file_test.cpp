@@ -9,7 +9,7 @@
 namespace meshgrade {
 namespace {
 
-const std::filesystem::path kMeshes = MESHGRADE_SOURCE_DIR "/meshes";
+const std::filesystem::path kMeshFiles = MESHGRADE_SOURCE_DIR "/meshes";
 
 std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -42,9 +42,9 @@ class HostileFile : public FilesTest {
     for (const std::string name : {"tetrahedron.obj", "octahedron.off", "torus.ply", "cube.stl",
                                    "tetrahedron.glb", "quad_cube.dae", "net_3x5.bez",
                                    "arch_4.bzc", "invalid/accessor_beyond_buffer.gltf"}) {
-      files.push_back(kMeshes / name);
+      files.push_back(kMeshFiles / name);
     }
-    const PolygonMesh cube = read_mesh(kMeshes / "cube.obj").mesh;
+    const PolygonMesh cube = read_mesh(kMeshFiles / "cube.obj").mesh;
     for (const std::string name : {"binary.ply", "binary.stl", "cube.gltf", "cube.glb"}) {
       write_mesh(path(name), cube);
       files.push_back(path(name));

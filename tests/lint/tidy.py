@@ -48,16 +48,16 @@ def clash(a, b):
 
 
 class Source:
-    """A source, and how it is compiled."""
+    """A source, and how it is compiled: alone, or as a part of the file in `entry`."""
 
-    def __init__(self, entry):
-        self.file = Path(entry["file"])
+    def __init__(self, entry, file):
+        self.file = file
         self.folder = entry["directory"]
         # Without GCC's precompiled headers: a source has to include what it uses.
         command = re.sub(r' -Winvalid-pch -include ("[^"]*"|\S+)', "", entry["command"])
         self.flags, output = re.match(r"(.*) -o (\S+) -c ", command).groups()
         self.object = Path(self.folder, output)
-        self.stamp = Path(f"{self.object}.tidy")
+        self.stamp = Path(f"{self.object}.{self.file.name}.tidy")
         self.names = names_of(self.file.read_text())
         self.settings = [f / SETTINGS for f in self.file.parents if (f / SETTINGS).exists()]
 
@@ -68,13 +68,21 @@ class Source:
         return all(f.stat().st_mtime < stamped for f in [self.object, *self.settings])
 
 
+def compiled_files(entry, build):
+    """The file of an entry, or the files that it includes where CMake has put several together."""
+    file = Path(entry["file"])
+    if not file.is_relative_to(build):
+        return [file]
+    return [Path(part) for part in re.findall(r'^#include "(.+\.cpp)"$', file.read_text(), re.M)]
+
+
 def own_sources(build):
     """Each source once, however often it is compiled."""
     sources = {}
     for entry in json.loads((build / "compile_commands.json").read_text()):
-        file = Path(entry["file"])
-        if not file.is_relative_to(build) and not file.is_relative_to(ROOT / "tests"):
-            sources.setdefault(file, Source(entry))
+        for file in compiled_files(entry, build):
+            if not file.is_relative_to(build) and not file.is_relative_to(ROOT / "tests"):
+                sources.setdefault(file, Source(entry, file))
     return list(sources.values())
 
 

@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-const fs::path kProject = MESHGRADE_SOURCE_DIR;
-const fs::path kAssignment = kProject / "grader" / "assignment.toml";
+const fs::path kBundledProject = MESHGRADE_SOURCE_DIR;
+const fs::path kBundledAssignment = kBundledProject / "grader" / "assignment.toml";
 
 class Bundle : public testing::Test {
  protected:
@@ -36,7 +36,7 @@ class Bundle : public testing::Test {
   /// Unpacks as hosts do that keep no permissions.
   void unpack(const std::string& host, const fs::path& folder) const {
     const fs::path file = scratch_.path() / (host + ".zip");
-    write_bundle(host, {kProject, kAssignment}, file);
+    write_bundle(host, {kBundledProject, kBundledAssignment}, file);
     fs::create_directories(folder);
     unpack_archive(file, folder,
                    {std::uint64_t{1} << 30U, std::uint64_t{1} << 28U, 10'000, 30});
@@ -46,7 +46,8 @@ class Bundle : public testing::Test {
   static void hand_in(const fs::path& folder, const std::string& file,
                       const std::string& more = "") {
     fs::create_directories(folder);
-    write_file_safely(folder / file, read_whole_file(kProject / "reference" / file) + more);
+    write_file_safely(folder / file,
+                      read_whole_file(kBundledProject / "reference" / file) + more);
   }
 
   static std::string run(const fs::path& folder, std::vector<std::string> arguments) {
@@ -66,7 +67,7 @@ class Bundle : public testing::Test {
 TEST_F(Bundle, ScriptsMayRunWherePermissionsAreKept) {
   int scripts = 0;
   for (const auto& entry :
-       fs::recursive_directory_iterator(kProject / "grader" / "package" / "hosts")) {
+       fs::recursive_directory_iterator(kBundledProject / "grader" / "package" / "hosts")) {
     if (!entry.is_regular_file()) continue;
     if (read_whole_file(entry.path()).rfind("#!", 0) != 0) continue;
     ++scripts;
@@ -79,7 +80,7 @@ TEST_F(Bundle, ScriptsMayRunWherePermissionsAreKept) {
 TEST_F(Bundle, AFileThatCannotBeWrittenIsNamedAsItWasGiven) {
   const fs::path file = scratch_.path() / "missing" / "x.zip";
   const std::string error =
-      user_error([&] { write_archive(kProject / "student_skeleton", file); });
+      user_error([&] { write_archive(kBundledProject / "student_skeleton", file); });
   EXPECT_EQ(error, file.string() +
                        ": cannot be written: No such file or directory; make the folder first");
 }
@@ -164,13 +165,13 @@ TEST_F(Bundle, HoldsTheSeedOfHiddenCasesOnlyWhereStudentsCannotLook) {
   const fs::path folder = scratch_.path() / "assignment";
   fs::create_directories(folder);
   const fs::path assignment = folder / "hidden.toml";
-  std::string text = read_whole_file(kAssignment);
+  std::string text = read_whole_file(kBundledAssignment);
   text.insert(text.find("[limits]"), "[hidden]\nseed_file = \"the_seed\"\nshow = \"name\"\n\n");
   write_file_safely(assignment, text);
   write_file_safely(folder / "the_seed", "4711\n");
   for (const std::string host : {"gradescope", "github"}) {
     const fs::path file = scratch_.path() / (host + ".tar");
-    write_bundle(host, {kProject, assignment}, file);
+    write_bundle(host, {kBundledProject, assignment}, file);
     EXPECT_EQ(read_whole_file(file).find("the_seed", 0) == std::string::npos, false);
     const bool holds = read_whole_file(file).find("4711\n") != std::string::npos;
     EXPECT_EQ(holds, host == "gradescope") << host;
@@ -180,19 +181,21 @@ TEST_F(Bundle, HoldsTheSeedOfHiddenCasesOnlyWhereStudentsCannotLook) {
 TEST_F(Bundle, IsTheSameBytesEachTime) {
   const fs::path first = scratch_.path() / "a.zip";
   const fs::path second = scratch_.path() / "b.zip";
-  write_bundle("gradescope", {kProject, kAssignment}, first);
-  write_bundle("gradescope", {kProject, kAssignment}, second);
+  write_bundle("gradescope", {kBundledProject, kBundledAssignment}, first);
+  write_bundle("gradescope", {kBundledProject, kBundledAssignment}, second);
   EXPECT_EQ(read_whole_file(first), read_whole_file(second));
 }
 
 TEST_F(Bundle, RefusesAnUnknownHostAndAnUnknownKindOfFile) {
-  EXPECT_THROW(write_bundle("moodle", {kProject, kAssignment}, scratch_.path() / "a.zip"),
-               UserError);
-  EXPECT_THROW(write_bundle("github", {kProject, kAssignment}, scratch_.path() / "a.rar"),
-               UserError);
   EXPECT_THROW(
-      write_bundle("github", {kProject, kAssignment}, scratch_.path() / "nowhere" / "a.zip"),
+      write_bundle("moodle", {kBundledProject, kBundledAssignment}, scratch_.path() / "a.zip"),
       UserError);
+  EXPECT_THROW(
+      write_bundle("github", {kBundledProject, kBundledAssignment}, scratch_.path() / "a.rar"),
+      UserError);
+  EXPECT_THROW(write_bundle("github", {kBundledProject, kBundledAssignment},
+                            scratch_.path() / "nowhere" / "a.zip"),
+               UserError);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSource = MESHGRADE_SOURCE_DIR;
+const fs::path kSourceFolder = MESHGRADE_SOURCE_DIR;
 
 using Files = std::vector<SourceFile>;
 
@@ -39,7 +39,7 @@ Files files_in(const fs::path& folder) {
 }
 
 Files own_solution(std::uint64_t seed) {
-  Files files = files_in(kSource / "tests" / "mutants" / "textbook");
+  Files files = files_in(kSourceFolder / "tests" / "mutants" / "textbook");
   for (SourceFile& file : files) {
     Random random(seed, file.name);
     file.text = make_variant(file.text, random);
@@ -54,7 +54,7 @@ Files changed(Files files, const std::function<std::string(const std::string&)>&
 }
 
 /// Every name that is not behind a dot, an arrow or "::" and is no keyword or type.
-std::string renamed(const std::string& text) {
+std::string with_new_names(const std::string& text) {
   static const std::regex name(R"(([^\w.:>]|^)([a-z][a-z_0-9]*)\b(?=\s*[,;=)+*\-\[]))");
   return std::regex_replace(text, name, "$1$2_of_mine");
 }
@@ -117,20 +117,22 @@ Files half(const Files& theirs, const Files& own) {
 std::vector<std::function<Files(const Files&, const Files&)>> disguises() {
   return {
       [](const Files& f, const Files&) { return changed(f, commented); },
-      [](const Files& f, const Files&) { return changed(f, renamed); },
+      [](const Files& f, const Files&) { return changed(f, with_new_names); },
       [](const Files& f, const Files&) { return changed(f, reordered); },
       [](const Files& f, const Files&) { return split(f); },
       [](const Files& f, const Files&) { return merged(f); },
       [](const Files& f, const Files& own) { return half(f, own); },
       [](const Files& f, const Files&) { return changed(f, squeezed); },
-      [](const Files& f, const Files&) { return changed(changed(f, renamed), reordered); },
+      [](const Files& f, const Files&) {
+        return changed(changed(f, with_new_names), reordered);
+      },
       [](const Files& f, const Files&) { return merged(changed(f, commented)); },
-      [](const Files& f, const Files& own) { return half(changed(f, renamed), own); },
+      [](const Files& f, const Files& own) { return half(changed(f, with_new_names), own); },
   };
 }
 
 SharedCode compare(std::vector<HandInText> texts) {
-  const Submission skeleton = find_submission(kSource / "student_skeleton", {});
+  const Submission skeleton = find_submission(kSourceFolder / "student_skeleton", {});
   return {std::move(texts), skeleton.sources, SimilarityOptions().least_tokens};
 }
 
@@ -156,11 +158,11 @@ TEST(PlantedCopies, StandAboveEveryOtherPairOfAClass) {
 }
 
 TEST(UnrelatedSolutions, HaveLessThanHalfInCommon) {
-  std::vector<HandInText> texts{{"reference", files_in(kSource / "reference")}};
+  std::vector<HandInText> texts{{"reference", files_in(kSourceFolder / "reference")}};
   for (const char* style : {"textbook", "singles", "turned", "arrays", "floats"})
-    texts.push_back({style, files_in(kSource / "tests" / "mutants" / style)});
+    texts.push_back({style, files_in(kSourceFolder / "tests" / "mutants" / style)});
   for (const char* year : {"of_2016", "since_2020", "one_point"})
-    texts.push_back({year, files_in(kSource / "tests" / "dropin" / "homework" / year)});
+    texts.push_back({year, files_in(kSourceFolder / "tests" / "dropin" / "homework" / year)});
   for (const SimilarPair& pair : compare(std::move(texts)).pairs(1))
     EXPECT_LE(pair.most(), 50) << pair.first << " and " << pair.second;
 }

@@ -7,8 +7,6 @@
 namespace meshgrade {
 namespace {
 
-constexpr std::uint64_t kNoSteps = 1000;  // curves have no handles to step through
-
 std::vector<Point2> random_points(std::size_t count, Random& random) {
   std::vector<Point2> points;
   for (std::size_t i = 0; i < count; ++i) {
@@ -17,8 +15,8 @@ std::vector<Point2> random_points(std::size_t count, Random& random) {
   return points;
 }
 
-void add_step(CaseMaker& maker, const std::string& group, std::vector<Point2> points,
-              double t) {
+void add_curve_step(CaseMaker& maker, const std::string& group, std::vector<Point2> points,
+                    double t) {
   const std::string title =
       "one step with " + plural(points.size(), "point") + " at t = " + number_text(t);
   maker.add(group, title, kNoSteps, CurveInput{std::move(points), t, 1});
@@ -33,10 +31,10 @@ void add_whole(CaseMaker& maker, const std::string& what, std::vector<Point2> po
 }
 
 /// A grid of parameters, and what must not depend on the size, the place and the direction.
-void add_moved(CaseMaker& maker, std::size_t count) {
+void add_moved_curves(CaseMaker& maker, std::size_t count) {
   Random random = maker.random("moved");
   for (double t : kParameterGrid)
-    add_step(maker, "stress", points_on_grid<Point2>(count, random), t);
+    add_curve_step(maker, "stress", points_on_grid<Point2>(count, random), t);
   const auto points = points_on_grid<Point2>(4, random);
   const double t = kParameterGrid[random.below(2)];
   for (const auto& moved : moved_points(points)) {
@@ -46,7 +44,7 @@ void add_moved(CaseMaker& maker, std::size_t count) {
   // So that the middle of two points, the first of the next level, is the origin.
   auto around = points;
   around[1] = {-around[0][0], -around[0][1]};
-  add_step(maker, "stress", around, 0.5);
+  add_curve_step(maker, "stress", around, 0.5);
 }
 
 /// What a curve of many points keeps from call to call shows in a process of its own.
@@ -59,7 +57,7 @@ void add_fresh_curve(CaseMaker& maker) {
 void make_cases_of_any_size(CaseMaker& maker, Random& random) {
   for (std::size_t count : {2U, 3U, 4U, 6U}) {
     for (double t : {0.5, 0.25, 0.0, 1.0}) {
-      add_step(maker, "basic", random_points(count, random), t);
+      add_curve_step(maker, "basic", random_points(count, random), t);
     }
   }
   for (const char* file : {"parabola_3.bzc", "arch_4.bzc", "loop_6.bzc", "wave_10.bzc"}) {
@@ -68,10 +66,10 @@ void make_cases_of_any_size(CaseMaker& maker, Random& random) {
     }
   }
   for (std::size_t count = 2; count <= 20; ++count) {
-    add_step(maker, "stress", random_points(count, random), random.unit());
+    add_curve_step(maker, "stress", random_points(count, random), random.unit());
   }
-  add_step(maker, "stress", random_points(30, random), random.unit());
-  add_moved(maker, 5);
+  add_curve_step(maker, "stress", random_points(30, random), random.unit());
+  add_moved_curves(maker, 5);
   add_fresh_curve(maker);
 }
 
@@ -82,7 +80,7 @@ void make_cases_of_four_points(CaseMaker& maker, bool on_levels, Random& random)
       on_levels ? std::vector<std::size_t>{4} : std::vector<std::size_t>{2, 3, 4};
   for (std::size_t count : counts) {
     for (double t : {0.5, 0.25, 0.0, 1.0}) {
-      add_step(maker, "basic", random_points(count, random), t);
+      add_curve_step(maker, "basic", random_points(count, random), t);
     }
   }
   for (int curve = 0; curve < 4; ++curve) {
@@ -92,9 +90,10 @@ void make_cases_of_four_points(CaseMaker& maker, bool on_levels, Random& random)
     }
   }
   for (std::size_t i = 0; i < 20; ++i) {
-    add_step(maker, "stress", random_points(counts[i % counts.size()], random), random.unit());
+    add_curve_step(maker, "stress", random_points(counts[i % counts.size()], random),
+                   random.unit());
   }
-  add_moved(maker, 4);
+  add_moved_curves(maker, 4);
 }
 
 }  // namespace
@@ -115,7 +114,7 @@ void shrink_bezier_curve_case(CaseMaker& maker, const Case& failed) {
   if (input.steps != 1) return;
   for (std::size_t count = 2; count < input.points.size(); ++count) {
     const auto end = input.points.begin() + static_cast<std::ptrdiff_t>(count);
-    add_step(maker, failed.group, {input.points.begin(), end}, input.t);
+    add_curve_step(maker, failed.group, {input.points.begin(), end}, input.t);
   }
 }
 

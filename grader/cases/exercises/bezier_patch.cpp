@@ -11,8 +11,6 @@ namespace {
 
 using Net = std::vector<std::vector<Point3>>;
 
-constexpr std::uint64_t kNoSteps = 1000;  // patches have no handles to step through
-
 /// A place (u, v) that is another one with u and v swapped, with 1 - u and 1 - v, with u twice
 /// and with v twice: so that the answer tells these mistakes apart.
 constexpr std::array<double, 2> kPlace{0.25, 0.625};
@@ -60,7 +58,7 @@ std::string place_text(std::size_t count, double t) {
   return plural(count, "point") + " at t = " + number_text(t);
 }
 
-void add_step(CaseMaker& maker, std::size_t count, double t, Random& random) {
+void add_patch_step(CaseMaker& maker, std::size_t count, double t, Random& random) {
   maker.add("step", "evaluateStep on " + place_text(count, t), kNoSteps,
             PatchInput{PatchFunction::kStep, {random_row(count, random)}, {{t, 0.0}}},
             kStepCalls);
@@ -110,7 +108,7 @@ void add_lines_of(CaseMaker& maker, const std::string& group, const Net& net, do
 void add_rows(CaseMaker& maker) {
   Random random = maker.random("rows");
   for (std::size_t count : {5U, 6U, 8U, 16U, 24U}) {
-    add_step(maker, count, random.unit(), random);
+    add_patch_step(maker, count, random.unit(), random);
     add_line(maker, "line", count, random.unit(), random);
   }
   std::vector<std::array<double, 2>> grid;
@@ -166,11 +164,11 @@ void add_moved_nets(CaseMaker& maker) {
 void make_lines_of_any_size(CaseMaker& maker, Random& random, Random& more) {
   for (std::size_t count : {2U, 3U, 4U, 7U}) {
     for (double t : {0.5, 0.25, 0.0, 1.0, random.unit()}) {
-      add_step(maker, count, t, random);
+      add_patch_step(maker, count, t, random);
       add_line(maker, "line", count, t, random);
     }
   }
-  add_step(maker, 12, more.unit(), more);
+  add_patch_step(maker, 12, more.unit(), more);
   add_line(maker, "line", 12, more.unit(), more);
   add_line(maker, "line", 1, more.unit(), more);  // a curve of one point is that point
 }
@@ -181,7 +179,7 @@ void make_lines_of_four_points(CaseMaker& maker, bool has_step, Random& random) 
   for (std::size_t count : {2U, 3U, 4U, 4U}) {
     for (double t : {0.5, 0.25, 0.0, 1.0, random.unit()}) {
       if (has_step) {
-        add_step(maker, count, t, random);
+        add_patch_step(maker, count, t, random);
       } else {
         add_line(maker, "step", 4, t, random);
       }

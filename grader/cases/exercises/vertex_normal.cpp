@@ -10,13 +10,13 @@
 namespace meshgrade {
 namespace {
 
-std::uint64_t budget_of(const PolygonMesh& mesh) {
+std::uint64_t normals_budget(const PolygonMesh& mesh) {
   return 1000 + 400 * mesh.polygons.size();
 }
 
-void add(CaseMaker& maker, const std::string& group, const std::string& title,
-         const PolygonMesh& mesh, Anchoring anchoring = Anchoring::kAsBuilt) {
-  maker.add(group, "the normals of " + title + anchoring_text(anchoring), budget_of(mesh),
+void add_normals(CaseMaker& maker, const std::string& group, const std::string& title,
+                 const PolygonMesh& mesh, Anchoring anchoring = Anchoring::kAsBuilt) {
+  maker.add(group, "the normals of " + title + anchoring_text(anchoring), normals_budget(mesh),
             NormalInput{mesh, anchoring});
 }
 
@@ -45,7 +45,7 @@ PolygonMesh with_needle(PolygonMesh mesh) {
   return mesh;
 }
 
-PolygonMesh turned(const PolygonMesh& mesh) {
+PolygonMesh turned_askew(const PolygonMesh& mesh) {
   return mapped(mesh, [](const Point3& p) {
     const double c = std::cos(1.0);
     const double s = std::sin(1.0);
@@ -54,7 +54,7 @@ PolygonMesh turned(const PolygonMesh& mesh) {
   });
 }
 
-PolygonMesh scaled(const PolygonMesh& mesh, double factor) {
+PolygonMesh scaled_about_origin(const PolygonMesh& mesh, double factor) {
   return mapped(mesh, [&](const Point3& p) {
     return Point3{factor * p[0], factor * p[1], factor * p[2]};
   });
@@ -71,25 +71,27 @@ double reach(const PolygonMesh& mesh) {
 }
 
 /// What must not depend on the size, the place and the direction of the mesh.
-void add_moved(CaseMaker& maker) {
+void add_moved_normals(CaseMaker& maker) {
   Random random = maker.random("moved");
   const char* const files[] = {"icosahedron.obj", "cube_crossed.obj", "valence_zoo.obj"};
   const std::string file = files[random.below(3)];
   const PolygonMesh mesh = shaken(maker.mesh(file), random);
   for (const MovedMesh& moved : moved_meshes(mesh, {0, 1}))
-    add(maker, "stress", file + ", shaken, " + moved.how, moved.mesh);
+    add_normals(maker, "stress", file + ", shaken, " + moved.how, moved.mesh);
   const PolygonMesh fan = shaken(maker.mesh("fan.obj"), random);
   for (const MovedMesh& moved : moved_meshes(fan, {0, 1})) {
     // What depends on the size, the closed meshes have charged.
-    if (moved.same_size) add(maker, "boundary", "fan.obj, shaken, " + moved.how, moved.mesh);
+    if (moved.same_size)
+      add_normals(maker, "boundary", "fan.obj, shaken, " + moved.how, moved.mesh);
   }
   const PolygonMesh zoo = shaken(maker.mesh("valence_zoo.obj"), random);
   maker.add_fresh("stress", "the normals of valence_zoo.obj, shaken, before anything else",
-                  budget_of(zoo), NormalInput{zoo, Anchoring::kElsewhere});
-  add(maker, "stress", "double pyramids with 13 to 24 sides", many_valences(13, 24, random));
-  add(maker, "stress", "an octahedron inside a tetrahedron 1000 times as large",
-      two_sizes(maker.mesh("octahedron.off"), maker.mesh("tetrahedron.obj"), random));
-  add(maker, "boundary", "a fan of 22 triangles", open_fan(22));
+                  normals_budget(zoo), NormalInput{zoo, Anchoring::kElsewhere});
+  add_normals(maker, "stress", "double pyramids with 13 to 24 sides",
+              many_valences(13, 24, random));
+  add_normals(maker, "stress", "an octahedron inside a tetrahedron 1000 times as large",
+              two_sizes(maker.mesh("octahedron.off"), maker.mesh("tetrahedron.obj"), random));
+  add_normals(maker, "boundary", "a fan of 22 triangles", open_fan(22));
 }
 
 }  // namespace
@@ -98,49 +100,51 @@ void make_vertex_normal_cases(CaseMaker& maker) {
   Random random = maker.random("jitter");
   for (const char* file : {"tetrahedron.obj", "octahedron.off", "cube.obj", "cube_crossed.obj",
                            "icosahedron.obj", "torus.ply", "valence_zoo.obj"}) {
-    add(maker, "basic", file, maker.mesh(file));
+    add_normals(maker, "basic", file, maker.mesh(file));
   }
   for (const char* file : {"cube.obj", "octahedron.off", "icosahedron.obj"}) {
-    add(maker, "basic", std::string(file) + ", stretched and shaken",
-        jittered(maker.mesh(file), 0.2, random));
+    add_normals(maker, "basic", std::string(file) + ", stretched and shaken",
+                jittered(maker.mesh(file), 0.2, random));
   }
   for (const char* file : {"single_triangle.obj", "two_triangles.obj", "grid_4x4.obj",
                            "fan.obj", "cylinder.dae"}) {
-    add(maker, "boundary", std::string(file) + ", bent", bent(maker.mesh(file)));
+    add_normals(maker, "boundary", std::string(file) + ", bent", bent(maker.mesh(file)));
   }
   for (const char* file : {"two_triangles.obj", "grid_4x4.obj", "fan.obj"}) {
-    add(maker, "boundary", std::string(file) + ", bent", bent(maker.mesh(file)),
-        Anchoring::kElsewhere);
+    add_normals(maker, "boundary", std::string(file) + ", bent", bent(maker.mesh(file)),
+                Anchoring::kElsewhere);
   }
-  add(maker, "boundary", "needle.obj", maker.mesh("needle.obj"));
+  add_normals(maker, "boundary", "needle.obj", maker.mesh("needle.obj"));
   // Closed meshes only: what the boundary costs, its own group has charged.
-  add(maker, "stress", "sliver.obj", maker.mesh("sliver.obj"));
-  add(maker, "stress", "an octahedron with a needle for a face",
-      in_build_order(with_needle(maker.mesh("octahedron.off"))));
+  add_normals(maker, "stress", "sliver.obj", maker.mesh("sliver.obj"));
+  add_normals(maker, "stress", "an octahedron with a needle for a face",
+              in_build_order(with_needle(maker.mesh("octahedron.off"))));
   for (const char* file : {"double_torus.obj", "two_components.obj"})
-    add(maker, "stress", file, maker.mesh(file));
+    add_normals(maker, "stress", file, maker.mesh(file));
   const PolygonMesh turning = jittered(maker.mesh("icosahedron.obj"), 0.2, random);
-  add(maker, "stress", "a shaken icosahedron, 10,000 times larger", scaled(turning, 1e4));
-  add(maker, "stress", "a shaken icosahedron, 10,000 times smaller", scaled(turning, 1e-4));
-  add(maker, "stress", "a shaken icosahedron, turned", turned(turning));
-  add(maker, "stress", "a double pyramid with 20 sides, stretched and shaken",
-      jittered(bipyramid(20), 0.1, random));
-  add_moved(maker);
+  add_normals(maker, "stress", "a shaken icosahedron, 10,000 times larger",
+              scaled_about_origin(turning, 1e4));
+  add_normals(maker, "stress", "a shaken icosahedron, 10,000 times smaller",
+              scaled_about_origin(turning, 1e-4));
+  add_normals(maker, "stress", "a shaken icosahedron, turned", turned_askew(turning));
+  add_normals(maker, "stress", "a double pyramid with 20 sides, stretched and shaken",
+              jittered(bipyramid(20), 0.1, random));
+  add_moved_normals(maker);
 }
 
 void shrink_vertex_normal_case(CaseMaker& maker, const Case& failed) {
   const auto [mesh, anchoring] = from_wire<NormalInput>(failed.input);
   Random random = maker.random("smaller");
   for (const Rung& rung : smaller_meshes_alike(maker, mesh)) {
-    add(maker, failed.group, rung.file, rung.mesh, anchoring);
+    add_normals(maker, failed.group, rung.file, rung.mesh, anchoring);
     const double factor = reach(mesh) / reach(rung.mesh);
-    add(maker, failed.group,
-        rung.file + ", stretched, shaken, and made as large as the mesh that failed",
-        scaled(jittered(rung.mesh, 0.2, random), factor), anchoring);
+    add_normals(maker, failed.group,
+                rung.file + ", stretched, shaken, and made as large as the mesh that failed",
+                scaled_about_origin(jittered(rung.mesh, 0.2, random), factor), anchoring);
   }
   for (std::uint32_t n = 13; 2 * n < mesh.polygons.size() && n <= 24; ++n) {
-    add(maker, failed.group, "a double pyramid with " + std::to_string(n) + " sides",
-        many_valences(n, n, random));
+    add_normals(maker, failed.group, "a double pyramid with " + std::to_string(n) + " sides",
+                many_valences(n, n, random));
   }
 }
 

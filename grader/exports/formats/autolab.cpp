@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostText = 20'000;
+constexpr std::size_t kMostFeedback = 20'000;
 
 std::string indented(const std::string& text) {
   std::string all;
@@ -62,7 +62,8 @@ std::string write_autolab(const StudentResult& result, const ExportOptions& opti
   if (options.extra_credit && report.max_extra_points > 0.0) {
     scores["extra_credit"] = report.extra_points;
   }
-  return cut_off(text, kMostText) + one_line(feedback(groups)) + one_line({{"scores", scores}});
+  return cut_off(text, kMostFeedback) + one_line(feedback(groups)) +
+         one_line({{"scores", scores}});
 }
 
 }  // namespace meshgrade

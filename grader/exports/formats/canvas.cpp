@@ -82,7 +82,8 @@ bool is_called(const std::string& column, const std::string& name) {
   return form.matches(column, found) && (found[1] == name || found[2] == name);
 }
 
-std::size_t find_column(const CsvRecord& header, std::size_t section, const std::string& name) {
+std::size_t find_assignment_column(const CsvRecord& header, std::size_t section,
+                                   const std::string& name) {
   static const Pattern assignment(".* \\([0-9]+\\)");
   std::vector<std::size_t> found;
   std::vector<std::string> names;
@@ -117,7 +118,7 @@ class GradebookFilling {
     const std::vector<CsvRecord> records = read_csv(options_.gradebook, separator);
     if (records.empty()) throw UserError("the gradebook is empty");
     const WhoColumns who = find_who(records[0]);
-    const std::size_t column = find_column(records[0], who.section, options_.column);
+    const std::size_t column = find_assignment_column(records[0], who.section, options_.column);
     for (std::size_t i = 0; i < records.size(); ++i) {
       std::vector<std::string> fields;
       for (std::size_t j = 0; j <= who.section; ++j)

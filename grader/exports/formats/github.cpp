@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostAnnotations = 10;
 
-std::string escape(const std::string& text, bool is_property) {
+std::string escape_command(const std::string& text, bool is_property) {
   std::string escaped;
   for (char c : printable(text)) {
     switch (c) {
@@ -52,10 +52,11 @@ std::string annotation(const std::string& kind, const CodePlace& place,
                        const std::string& title, const std::string& message) {
   std::string text = "::" + kind + " ";
   if (!place.file.empty()) {
-    text += "file=" + escape(place.file, true) + ",";
+    text += "file=" + escape_command(place.file, true) + ",";
     if (place.line > 0) text += "line=" + std::to_string(place.line) + ",";
   }
-  return text + "title=" + escape(title, true) + "::" + escape(message, false) + "\n";
+  return text + "title=" + escape_command(title, true) + "::" + escape_command(message, false) +
+         "\n";
 }
 
 /// Where in the student's code the failure shows, if that is known.
@@ -80,7 +81,7 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-Json to_test(const GradedGroup& graded) {
+Json to_autograding_test(const GradedGroup& graded) {
   const CodePlace place = graded.failure == nullptr ? CodePlace() : place_of(*graded.failure);
   return {{"name", graded.number + " " + graded.name},
           {"status", graded.passed() ? "pass" : "fail"},
@@ -130,7 +131,7 @@ std::string write_github_result(const StudentResult& result, const ExportOptions
     value["status"] = report.points >= report.max_points ? "pass" : "fail";
     value["max_score"] = static_cast<std::int64_t>(std::ceil(report.max_points));
     for (const GradedGroup& graded : graded_groups(report))
-      value["tests"].push_back(to_test(graded));
+      value["tests"].push_back(to_autograding_test(graded));
   }
   return base64(value.dump(-1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostOutput = 20'000;
 
-Json to_test(const GradedGroup& graded) {
+Json to_gradescope_test(const GradedGroup& graded) {
   return {{"number", graded.number},
           {"name", graded.name},
           {"name_format", "text"},
@@ -40,7 +40,7 @@ std::string write_gradescope(const StudentResult& result, const ExportOptions& o
     value["output"] = cut_off(report.assignment + "\n" + general_text(report), kMostOutput);
     value["tests"] = Json::array();
     for (const GradedGroup& graded : graded_groups(report))
-      value["tests"].push_back(to_test(graded));
+      value["tests"].push_back(to_gradescope_test(graded));
     value["extra_data"] = {{"schema", kReportSchema}, {"seed", report.seed}};
   } else {
     if (result.status == ResultStatus::kUngradable) value["score"] = 0.0;

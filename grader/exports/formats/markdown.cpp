@@ -11,10 +11,10 @@
 namespace meshgrade {
 namespace {
 
-constexpr std::size_t kMostText = 8000;
+constexpr std::size_t kMostComment = 8000;
 
 /// Every character that means something is escaped; none of it is a link or a mention.
-std::string escape(const std::string& text) {
+std::string escape_markdown(const std::string& text) {
   std::string escaped;
   for (char c : printable(text)) {
     if (c == '\n' || c == '\t') {
@@ -46,7 +46,7 @@ std::string code_block(const std::string& text) {
     longest = std::max(longest, run);
   }
   const std::string fence(longest + 1, '`');
-  const std::string body = cut_off(printable(text), kMostText);
+  const std::string body = cut_off(printable(text), kMostComment);
   return fence + "text\n" + body + (body.empty() || body.back() != '\n' ? "\n" : "") + fence +
          "\n";
 }
@@ -58,7 +58,7 @@ std::string of(double points, double max_points) {
 std::string table(const Report& report) {
   std::string text = "| exercise | verdict | points | extra credit |\n|---|---|---:|---:|\n";
   for (const ExerciseReport& e : report.exercises) {
-    text += "| " + escape(e.title) + " | " + verdict_name(e.verdict) + " | " +
+    text += "| " + escape_markdown(e.title) + " | " + verdict_name(e.verdict) + " | " +
             of(e.points, e.max_points) + " | " +
             (e.max_extra_points > 0.0 ? of(e.extra_points, e.max_extra_points) : "") + " |\n";
   }
@@ -70,17 +70,18 @@ std::string table(const Report& report) {
 
 std::string write_markdown(const StudentResult& result, const ExportOptions& /*options*/) {
   if (result.report == nullptr) {
-    return "# " + escape(result.key) + "\n\n**" + status_name(result.status) + "**\n\n" +
-           code_block(result.reason);
+    return "# " + escape_markdown(result.key) + "\n\n**" + status_name(result.status) +
+           "**\n\n" + code_block(result.reason);
   }
   const Report& report = *result.report;
-  std::string text = "# " + escape(report.assignment) +
-                     "\n\nSubmission: " + escape(report.submission) + "\n\n" + table(report);
+  std::string text = "# " + escape_markdown(report.assignment) +
+                     "\n\nSubmission: " + escape_markdown(report.submission) + "\n\n" +
+                     table(report);
   const std::string general = general_text(report);
   if (!general.empty()) text += "\n" + code_block(general);
   for (const GradedGroup& graded : graded_groups(report)) {
     if (graded.failure == nullptr) continue;
-    text += "\n## " + graded.number + " " + escape(graded.name) + "\n\n" +
+    text += "\n## " + graded.number + " " + escape_markdown(graded.name) + "\n\n" +
             of(graded.group->points, graded.group->max_points) + " points\n\n" +
             code_block(graded.text);
   }

@@ -12,7 +12,7 @@
 namespace meshgrade {
 namespace {
 
-const Misconceptions& known_misconceptions() {
+const Misconceptions& curve_misconceptions() {
   static const Misconceptions known{
       {"t-swapped", "t and 1 - t are swapped: at t = 0 the result begins at points[i]"},
       {"t-ignored", "the points are always halved: the member t is not used"},
@@ -69,7 +69,7 @@ class StepsJudge {
     if (!leaves_input(given, step)) return false;
     if (has_count(given, step) && has_values(given, step)) return true;
     judgement_.findings.back().likely =
-        recognize(known_misconceptions(), predict(index, given), step.result, allowed());
+        recognize(curve_misconceptions(), predict(index, given), step.result, allowed());
     return false;
   }
 
@@ -158,8 +158,8 @@ class StepsJudge {
   std::string where_;
 };
 
-void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
-                 CaseJudgement& judgement) {
+void judge_curve_steps(const JudgeTask& task, Conventions& /*conventions*/,
+                       CaseJudgement& judgement) {
   const auto input = from_wire<CurveInput>(task.asked.input);
   if (task.outcome.steps.size() > input.steps) throw WireError("too many steps");
   StepsJudge judge(task, input, judgement);
@@ -179,7 +179,7 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
 ExerciseJudge bezier_curve_judge(const ExerciseRubric& rubric) {
   refuse_unknown_options(rubric, {kSkeletonOption});
   choose_option(rubric, kSkeletonOption, skeleton_choices());
-  return {{"BezierCurve::evaluateStep"}, {}, judge_steps, known_misconceptions()};
+  return {{"BezierCurve::evaluateStep"}, {}, judge_curve_steps, curve_misconceptions()};
 }
 
 }  // namespace meshgrade

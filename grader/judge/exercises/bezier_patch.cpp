@@ -25,7 +25,7 @@ const char* function_name(PatchFunction function) {
   return "";
 }
 
-const char* formula(PatchFunction function) {
+const char* patch_formula(PatchFunction function) {
   switch (function) {
     case PatchFunction::kStep:
       return "point i of the result is (1 - t) points[i] + t points[i + 1]";
@@ -59,7 +59,7 @@ std::vector<Point3> expected_result(const PatchInput& input, double u, double v)
 
 using Predictions = std::vector<Prediction<Point3>>;
 
-const Misconceptions& known_misconceptions() {
+const Misconceptions& patch_misconceptions() {
   static const Misconceptions known{
       {"t-swapped", "t and 1 - t are swapped"},
       {"t-truncated",
@@ -121,7 +121,7 @@ Predictions predict_surface(const std::vector<std::vector<Point3>>& net, double 
 }
 
 /// Nothing at the ends of a curve, where too many mistakes give the same control points.
-Predictions predict(const PatchInput& input, double u, double v) {
+Predictions predict_patch(const PatchInput& input, double u, double v) {
   if (u == 0.0 || u == 1.0) return {};
   switch (input.function) {
     case PatchFunction::kStep:
@@ -158,7 +158,7 @@ void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t in
   const std::string name = function_name(input.function);
   const LocalScale scale = scale_of(input, task.tolerance);
   const auto likely = [&] {
-    return recognize(known_misconceptions(), predict(input, place[0], place[1]), actual,
+    return recognize(patch_misconceptions(), predict_patch(input, place[0], place[1]), actual,
                      scale.allowed);
   };
   judgement.verdict = Verdict::kFailed;
@@ -176,7 +176,7 @@ void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t in
     return;
   }
   judgement.findings.push_back(make_finding(
-      "value", formula(input.function), where,
+      "value", patch_formula(input.function), where,
       input.function == PatchFunction::kStep ? "point " + std::to_string(worst.index)
                                              : "the result",
       point_text(expected[worst.index]),
@@ -185,8 +185,8 @@ void judge_result(const JudgeTask& task, const PatchInput& input, std::size_t in
   judgement.findings.back().likely = likely();
 }
 
-void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
-                 CaseJudgement& judgement) {
+void judge_patch_results(const JudgeTask& task, Conventions& /*conventions*/,
+                         CaseJudgement& judgement) {
   const auto input = from_wire<PatchInput>(task.asked.input);
   if (task.outcome.steps.size() > input.parameters.size()) throw WireError("too many steps");
   for (std::size_t i = 0; i < task.outcome.steps.size(); ++i) {
@@ -210,7 +210,8 @@ ExerciseJudge bezier_patch_judge(const ExerciseRubric& rubric) {
   if (bezier_skeleton(rubric) != BezierSkeleton::kCourse2017) {
     functions.insert(functions.begin(), "BezierPatch::evaluateStep");
   }
-  return {functions, {}, judge_steps, known_misconceptions(), nullptr, false, {}, called_by};
+  return {functions, {},       judge_patch_results, patch_misconceptions(), nullptr, false,
+          {},        called_by};
 }
 
 }  // namespace meshgrade

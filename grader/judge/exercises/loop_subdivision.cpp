@@ -107,7 +107,7 @@ const Variant& find_variant(const std::string& name) {
 }
 
 /// The weights of a point, to look at.
-std::string formula(bool old, bool on_boundary) {
+std::string position_formula(bool old, bool on_boundary) {
   if (on_boundary) {
     return old ? "3/4 v + 1/8 (a + b), with the neighbours a and b along the boundary"
                : "1/2 (a + b), the middle of the edge a-b on the boundary";
@@ -445,7 +445,7 @@ class LevelsJudge {
                error_text(worst.error, scales_[worst.index]),
            std::string(old ? "the weights of old vertices" : "the weights of edge points") +
                ", from positions before the step: " +
-               formula(old, on_boundary(level.surface)[worst.index]));
+               position_formula(old, on_boundary(level.surface)[worst.index]));
   }
 
   const JudgeTask& task_;

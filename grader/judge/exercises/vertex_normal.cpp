@@ -49,8 +49,8 @@ Finding wrong_normal(const JudgeTask& task, const NormalInput& input, const Wors
                       "which faces are counted in Vertex::normal, and with which weights");
 }
 
-void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
-                 CaseJudgement& judgement) {
+void judge_normals(const JudgeTask& task, Conventions& /*conventions*/,
+                   CaseJudgement& judgement) {
   const auto input = from_wire<NormalInput>(task.asked.input);
   const std::vector<Point3> expected = vertex_normals(input.mesh, NormalWeight::kArea);
   if (task.outcome.steps.size() > expected.size()) throw WireError("too many steps");
@@ -75,7 +75,7 @@ void judge_steps(const JudgeTask& task, Conventions& /*conventions*/,
 
 ExerciseJudge vertex_normal_judge(const ExerciseRubric& rubric) {
   refuse_unknown_options(rubric, {});
-  return {{"Vertex::normal"}, {}, judge_steps, normal_misconceptions()};
+  return {{"Vertex::normal"}, {}, judge_normals, normal_misconceptions()};
 }
 
 }  // namespace meshgrade

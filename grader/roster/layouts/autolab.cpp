@@ -20,7 +20,7 @@ struct AutolabName {
   std::string file;
 };
 
-std::optional<AutolabName> parse(const std::string& name) {
+std::optional<AutolabName> parse_autolab_name(const std::string& name) {
   // An address may hold "_" before the "@", and none after it.
   static const Pattern form("(.+@[^_@]+)_([0-9]{1,8})_(.+)");
   Pattern::Groups found;
@@ -31,22 +31,22 @@ std::optional<AutolabName> parse(const std::string& name) {
 }
 
 bool is_autolab_name(const std::string& name) {
-  return parse(name).has_value();
+  return parse_autolab_name(name).has_value();
 }
 
-bool recognise(const fs::path& folder) {
+bool recognise_autolab(const fs::path& folder) {
   return most_names_match(folder, is_autolab_name);
 }
 
-void read(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
+void read_autolab(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
   std::map<std::string, int> last;
   for (const fs::path& entry : entries_of(folder)) {
-    const auto parsed = parse(entry.filename().string());
+    const auto parsed = parse_autolab_name(entry.filename().string());
     if (parsed) last[parsed->email] = std::max(last[parsed->email], parsed->version);
   }
   for (const fs::path& entry : entries_of(folder)) {
     const std::string name = entry.filename().string();
-    const auto parsed = parse(name);
+    const auto parsed = parse_autolab_name(name);
     if (!parsed || !is_real_file(entry)) {
       roster.left_out.push_back({name, name.rfind("annotated_", 0) == 0
                                            ? "a copy with remarks"
@@ -63,7 +63,8 @@ void read(const fs::path& folder, const std::string& /*assignment*/, Roster& ros
 }  // namespace
 
 Layout autolab_layout() {
-  return {"autolab", "the submissions of an Autolab assessment", recognise, read};
+  return {"autolab", "the submissions of an Autolab assessment", recognise_autolab,
+          read_autolab};
 }
 
 }  // namespace meshgrade

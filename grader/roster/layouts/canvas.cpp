@@ -21,7 +21,7 @@ struct CanvasName {
   bool late = false;
 };
 
-std::optional<CanvasName> parse(const std::string& name) {
+std::optional<CanvasName> parse_canvas_name(const std::string& name) {
   static const Pattern anonymous("(LATE_)?anon_(LATE_)?([A-Za-z0-9]+)_([0-9]+)_(.+)");
   static const Pattern named("(.*?)(_LATE)?_([0-9]+)_([0-9]+)_(.+)");
   static const Pattern typed("(.*?)(_LATE)?_([0-9]+)_(text|link)\\.html");
@@ -39,10 +39,10 @@ std::optional<CanvasName> parse(const std::string& name) {
 }
 
 bool is_canvas_name(const std::string& name) {
-  return parse(name).has_value();
+  return parse_canvas_name(name).has_value();
 }
 
-bool recognise(const fs::path& folder) {
+bool recognise_canvas(const fs::path& folder) {
   return most_names_match(folder, is_canvas_name);
 }
 
@@ -63,10 +63,10 @@ void drop_counts(HandIn& hand_in) {
   }
 }
 
-void read(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
+void read_canvas(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
   for (const fs::path& entry : entries_of(folder)) {
     const std::string name = entry.filename().string();
-    const auto parsed = parse(name);
+    const auto parsed = parse_canvas_name(name);
     if (!parsed || !is_real_file(entry)) {
       roster.left_out.push_back({name, "its name is not one that Canvas gives"});
       continue;
@@ -83,7 +83,7 @@ void read(const fs::path& folder, const std::string& /*assignment*/, Roster& ros
 }  // namespace
 
 Layout canvas_layout() {
-  return {"canvas", "the submissions of a Canvas assignment", recognise, read};
+  return {"canvas", "the submissions of a Canvas assignment", recognise_canvas, read_canvas};
 }
 
 }  // namespace meshgrade

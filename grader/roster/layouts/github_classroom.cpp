@@ -27,7 +27,7 @@ std::string slug_of(const fs::path& folder) {
   return name.substr(0, name.size() - ending.size());
 }
 
-bool recognise(const fs::path& folder) {
+bool recognise_github_classroom(const fs::path& folder) {
   std::size_t repositories = 0;
   std::size_t folders = 0;
   const std::string slug = slug_of(folder);
@@ -69,7 +69,8 @@ std::multimap<std::string, Listed> read_grades(const fs::path& file) {
   return all;
 }
 
-void read(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
+void read_github_classroom(const fs::path& folder, const std::string& /*assignment*/,
+                           Roster& roster) {
   std::multimap<std::string, Listed> grades;
   if (is_real_file(folder / kGrades)) grades = read_grades(folder / kGrades);
   const std::string start = slug_of(folder) + "-";
@@ -97,8 +98,8 @@ void read(const fs::path& folder, const std::string& /*assignment*/, Roster& ros
 }  // namespace
 
 Layout github_classroom_layout() {
-  return {"github-classroom", "the repositories of a GitHub Classroom assignment", recognise,
-          read};
+  return {"github-classroom", "the repositories of a GitHub Classroom assignment",
+          recognise_github_classroom, read_github_classroom};
 }
 
 }  // namespace meshgrade

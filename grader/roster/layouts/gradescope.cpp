@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kMetadata = "submission_metadata.yml";
 
-bool recognise(const fs::path& folder) {
+bool recognise_gradescope(const fs::path& folder) {
   return is_real_file(folder / kMetadata);
 }
 
@@ -65,7 +65,8 @@ void add_listed(const fs::path& folder, const YAML::Node& metadata, Roster& rost
   }
 }
 
-void read(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
+void read_gradescope(const fs::path& folder, const std::string& /*assignment*/,
+                     Roster& roster) {
   std::set<std::string> listed;
   try {
     const YAML::Node metadata = YAML::Load(read_whole_file(folder / kMetadata));
@@ -89,7 +90,8 @@ void read(const fs::path& folder, const std::string& /*assignment*/, Roster& ros
 }  // namespace
 
 Layout gradescope_layout() {
-  return {"gradescope", "the export of a Gradescope assignment", recognise, read};
+  return {"gradescope", "the export of a Gradescope assignment", recognise_gradescope,
+          read_gradescope};
 }
 
 }  // namespace meshgrade

@@ -22,7 +22,7 @@ struct MoodleName {
   std::string file;  ///< empty for a folder
 };
 
-std::optional<MoodleName> parse(const std::string& name) {
+std::optional<MoodleName> parse_moodle_name(const std::string& name) {
   const std::string mark = "_assignsubmission_";
   const std::size_t at = name.rfind(mark);
   if (at == std::string::npos) return std::nullopt;
@@ -41,17 +41,17 @@ std::optional<MoodleName> parse(const std::string& name) {
 }
 
 bool is_moodle_name(const std::string& name) {
-  return parse(name).has_value();
+  return parse_moodle_name(name).has_value();
 }
 
-bool recognise(const fs::path& folder) {
+bool recognise_moodle(const fs::path& folder) {
   return most_names_match(folder, is_moodle_name);
 }
 
-void read(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
+void read_moodle(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
   for (const fs::path& entry : entries_of(folder)) {
     const std::string name = entry.filename().string();
-    const auto parsed = parse(name);
+    const auto parsed = parse_moodle_name(name);
     if (!parsed) {
       roster.left_out.push_back({name, "its name is not one that Moodle gives"});
       continue;
@@ -70,7 +70,7 @@ void read(const fs::path& folder, const std::string& /*assignment*/, Roster& ros
 }  // namespace
 
 Layout moodle_layout() {
-  return {"moodle", "the submissions of a Moodle assignment", recognise, read};
+  return {"moodle", "the submissions of a Moodle assignment", recognise_moodle, read_moodle};
 }
 
 }  // namespace meshgrade

@@ -17,7 +17,7 @@ fs::path submitted_in(const fs::path& folder) {
   return folder.filename() == "submitted" ? folder : folder / "submitted";
 }
 
-bool recognise(const fs::path& folder) {
+bool recognise_nbgrader(const fs::path& folder) {
   return is_real_folder(submitted_in(folder));
 }
 
@@ -47,7 +47,7 @@ std::string timestamp_in(const fs::path& folder) {
   return printable(line.substr(0, 100));
 }
 
-void read(const fs::path& folder, const std::string& assignment, Roster& roster) {
+void read_nbgrader(const fs::path& folder, const std::string& assignment, Roster& roster) {
   const fs::path submitted = submitted_in(folder);
   const std::string name = assignment.empty() ? only_assignment(submitted) : assignment;
   for (const fs::path& student : entries_of(submitted)) {
@@ -64,7 +64,7 @@ void read(const fs::path& folder, const std::string& assignment, Roster& roster)
 }  // namespace
 
 Layout nbgrader_layout() {
-  return {"nbgrader", "the folder of an nbgrader course", recognise, read};
+  return {"nbgrader", "the folder of an nbgrader course", recognise_nbgrader, read_nbgrader};
 }
 
 }  // namespace meshgrade

@@ -16,11 +16,11 @@ std::string without_ending(const fs::path& file) {
   return (stem.extension() == ".tar" ? stem.stem() : stem).string();
 }
 
-bool recognise(const fs::path& /*folder*/) {
+bool recognise_plain(const fs::path& /*folder*/) {
   return true;
 }
 
-void read(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
+void read_plain(const fs::path& folder, const std::string& /*assignment*/, Roster& roster) {
   for (const fs::path& entry : entries_of(folder)) {
     const std::string name = entry.filename().string();
     if (is_real_folder(entry)) {
@@ -37,7 +37,7 @@ void read(const fs::path& folder, const std::string& /*assignment*/, Roster& ros
 }  // namespace
 
 Layout plain_layout() {
-  return {"plain", "a folder, archive or file for each student", recognise, read};
+  return {"plain", "a folder, archive or file for each student", recognise_plain, read_plain};
 }
 
 }  // namespace meshgrade

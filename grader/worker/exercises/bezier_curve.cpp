@@ -27,7 +27,7 @@ class OpenCurve : public meshedit::BezierCurve {
   }
 };
 
-std::vector<Point2> to_points(const std::vector<meshedit::Vector2D>& vectors) {
+std::vector<Point2> to_plane_points(const std::vector<meshedit::Vector2D>& vectors) {
   std::vector<Point2> points;
   for (const meshedit::Vector2D& v : vectors)
     points.push_back({v.x, v.y});
@@ -46,7 +46,7 @@ void run_bezier_curve(WireReader& input, Recorder& recorder) {
   for (std::uint32_t i = 0; i < asked.steps && points.size() >= 2; ++i) {
     const std::vector<meshedit::Vector2D> result = curve.evaluateStep(points);
     const std::uint32_t kept = curve.has_members_of(before) ? 1 : 0;
-    recorder.add_step(CurveStep{to_points(result), to_points(points), kept});
+    recorder.add_step(CurveStep{to_plane_points(result), to_plane_points(points), kept});
     points = result;
   }
 }

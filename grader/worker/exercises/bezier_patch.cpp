@@ -21,7 +21,7 @@ std::vector<std::vector<meshedit::Vector3D>> to_net(
   return net;
 }
 
-std::vector<Point3> to_points(const std::vector<meshedit::Vector3D>& vectors) {
+std::vector<Point3> to_space_points(const std::vector<meshedit::Vector3D>& vectors) {
   std::vector<Point3> points;
   for (const meshedit::Vector3D& v : vectors)
     points.push_back({v.x, v.y, v.z});
@@ -38,13 +38,13 @@ void run_bezier_patch(WireReader& input, Recorder& recorder) {
   for (const auto& [u, v] : asked.parameters) {
     switch (asked.function) {
       case PatchFunction::kStep:
-        recorder.add_step(to_points(patch.evaluateStep(points, u)));
+        recorder.add_step(to_space_points(patch.evaluateStep(points, u)));
         break;
       case PatchFunction::kLine:
-        recorder.add_step(to_points({patch.evaluate1D(points, u)}));
+        recorder.add_step(to_space_points({patch.evaluate1D(points, u)}));
         break;
       case PatchFunction::kSurface:
-        recorder.add_step(to_points({patch.evaluate(u, v)}));
+        recorder.add_step(to_space_points({patch.evaluate(u, v)}));
         break;
     }
   }
