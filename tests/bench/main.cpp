@@ -10,6 +10,7 @@
 #include "tests/bench/check_bench.h"
 #include "tests/bench/class_bench.h"
 #include "tests/bench/mesh_bench.h"
+#include "tests/bench/setup_bench.h"
 
 namespace meshgrade::bench {
 namespace {
@@ -23,9 +24,10 @@ struct Arguments {
 void add_options(CLI::App& app, Arguments& arguments) {
   Selection& selection = arguments.selection;
   app.add_flag("--quick", selection.quick, "Small meshes and few rounds: a minute");
-  app.add_option("--only", selection.tables, "Only these tables")
+  app.add_option("--only", selection.tables,
+                 "Only these tables; setup, some minutes, is made only when it is named")
       ->check(CLI::IsMember({"build", "normals", "flips", "splits", "loop", "threads", "memory",
-                             "check", "class"}));
+                             "check", "class", "setup"}));
   app.add_option("--mesh", selection.meshes, "Only these meshes")
       ->check(CLI::IsMember({"1k", "20k", "330k", "330k shuffled", "1.3M"}));
   app.add_option("--json", arguments.json, "Write all samples and goals to this file as JSON");
@@ -56,8 +58,10 @@ Results run(const Arguments& arguments) {
   if (arguments.selection.has_table("class")) {
     results.tables.push_back(run_class_bench(arguments.programs, arguments.selection.quick));
   }
+  if (arguments.selection.names("setup"))
+    results.tables.push_back(run_setup_bench(arguments.programs));
   std::vector<Goal> goals = mesh_goals();
-  for (const auto& more : {check_goals(), class_goals()})
+  for (const auto& more : {check_goals(), class_goals(), setup_goals()})
     goals.insert(goals.end(), more.begin(), more.end());
   for (const Goal& goal : goals) {
     if (const auto result = evaluate(goal, results.tables)) results.goals.push_back(*result);

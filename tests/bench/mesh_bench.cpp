@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "grader/base/contains.h"
 #include "tests/bench/workload.h"
 
 namespace meshgrade::bench {
@@ -152,7 +153,11 @@ Table measure_memories(const std::vector<Size>& sizes) {
 }  // namespace
 
 bool Selection::has_table(const std::string& name) const {
-  return tables.empty() || std::find(tables.begin(), tables.end(), name) != tables.end();
+  return tables.empty() || names(name);
+}
+
+bool Selection::names(const std::string& name) const {
+  return contains(tables, name);
 }
 
 std::vector<Table> run_mesh_bench(const Selection& selection) {

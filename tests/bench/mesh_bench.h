@@ -11,6 +11,8 @@ struct Selection {
   std::vector<std::string> meshes;
 
   bool has_table(const std::string& name) const;
+  /// Whether the table is asked for by its name, and not just as one of all.
+  bool names(const std::string& name) const;
 };
 
 /// The tables build, normals, flips, splits, loop, threads and memory.
