@@ -7,8 +7,8 @@
 
 #include <fstream>
 
-#include "grader/app/context.h"
-#include "grader/app/grading.h"
+#include "grader/commands/context.h"
+#include "grader/grade/grading.h"
 #include "grader/report/json_report.h"
 #include "grader/report/terminal_report.h"
 #include "tests/attacks/traces.h"

@@ -15,15 +15,13 @@ namespace fs = std::filesystem;
 constexpr const char* kNow = "first check";
 constexpr const char* kBefore = "first check, before";
 
-/// The sources of <sources>/build/release/grader/app/meshgrade.
+/// The sources of a program in their folder `build`, at whatever depth.
 fs::path sources_of(const fs::path& program) {
-  fs::path folder = fs::canonical(program);
-  for (int i = 0; i < 5; ++i)
-    folder = folder.parent_path();
-  if (!fs::exists(folder / "CMakeLists.txt")) {
-    throw UserError(program.string() + ": it does not lie in the build folder of its sources");
+  for (fs::path folder = fs::canonical(program); folder.has_relative_path();
+       folder = folder.parent_path()) {
+    if (folder.filename() == "build") return folder.parent_path();
   }
-  return folder;
+  throw UserError(program.string() + ": it does not lie in the build folder of its sources");
 }
 
 /// All of a checkout but what was built in it.

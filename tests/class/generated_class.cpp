@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "grader/base/safe_file.h"
-#include "tests/app/expectation.h"
+#include "tests/grade/expectation.h"
 #include "tests/support/made_archive.h"
 #include "tests/support/scratch_files.h"
 

@@ -9,9 +9,9 @@
 #include <map>
 #include <string>
 
-#include "grader/app/context.h"
-#include "grader/app/grading.h"
 #include "grader/base/process.h"
+#include "grader/commands/context.h"
+#include "grader/grade/grading.h"
 #include "grader/report/json_report.h"
 #include "grader/report/terminal_report.h"
 #include "tests/dropin/course_project.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "grader/app/adequacy_check.h"
+#include "grader/commands/adequacy_check.h"
 #include "grader/mutants/adequacy_page.h"
 
 namespace meshgrade {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "grader/app/figure_files.h"
-#include "grader/app/grading.h"
 #include "grader/base/errors.h"
+#include "grader/commands/figure_files.h"
+#include "grader/grade/grading.h"
 #include "grader/report/json_report.h"
 #include "grader/report/report_reader.h"
 #include "grader/report/terminal_report.h"

@@ -38,8 +38,8 @@ printf installed
 END
 stand_in ninja <<'END'
 echo "[1/1] Linking"
-mkdir -p "$2/grader/app"
-cp "$PROGRAM" "$2/grader/app/meshgrade"
+mkdir -p "$2/bin"
+cp "$PROGRAM" "$2/bin/meshgrade"
 sleep 0.2
 echo "ninja ends" >>"$CALLS"
 END
@@ -125,7 +125,7 @@ arguments_reach_the_program_through_links() {
   call "../link to link" check 'my homework' ''
   [ "$code" = 0 ] || fail "exit code $code"
   [ "$out" = '<check><my homework><>' ] || fail "other arguments"
-  [ -x "$project/build/release/grader/app/meshgrade" ] || fail "built in another folder"
+  [ -x "$project/build/release/bin/meshgrade" ] || fail "built in another folder"
 }
 
 second_call_neither_configures_nor_asks_for_packages() {

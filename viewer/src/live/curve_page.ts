@@ -5,7 +5,8 @@ import { button, el, followPointer, keyButton, replace } from '../dom';
 import { saveFile, saveSvg } from '../model/export';
 import { History } from '../model/history';
 import { KeyHelp, type KeyRow } from '../panels/key_help';
-import type { Connection, CurveAnswer, Point2 } from './connection';
+import type { CurveAnswer, Point2 } from './answers';
+import type { Connection } from './connection';
 import { BezierShell, verdict } from './shell';
 
 const SVG = 'http://www.w3.org/2000/svg';

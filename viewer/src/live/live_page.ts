@@ -8,7 +8,8 @@ import type { MeshState } from '../panels/marks';
 import { KeyHelp, VIEW_KEYS, type KeyRow } from '../panels/key_help';
 import { MeshPanel } from '../panels/mesh_panel';
 import { toneOf, verdictTag } from '../panels/verdict';
-import type { Connection, LiveState, StepKind } from './connection';
+import type { LiveState, StepKind } from './answers';
+import type { Connection } from './connection';
 import { LevelsCover } from './levels';
 import { buildTag, compilerBanner, output, verdict } from './shell';
 

@@ -4,7 +4,8 @@ import { el, replace, type Child } from '../dom';
 import type { Case } from '../model/types';
 import { findingBlock, pointerTables } from '../panels/case_card';
 import { verdictTag } from '../panels/verdict';
-import type { Connection, LiveState } from './connection';
+import type { LiveState } from './answers';
+import type { Connection } from './connection';
 
 export function output(text: string): Child {
   if (text === '') return null;

@@ -2,7 +2,7 @@
 // grader/view/page_answer.h explains the form.
 
 import type { MeshJson } from '../model/mesh';
-import type { LiveState } from './connection';
+import type { LiveState } from './answers';
 
 /** What stands for a mesh in the JSON. */
 interface PackedMesh {
