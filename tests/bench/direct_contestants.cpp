@@ -1,25 +1,27 @@
 #include <cstring>
 
+#include "grader/subdivide/direct_catmull_clark.h"
 #include "grader/subdivide/direct_loop.h"
 #include "tests/bench/contestant.h"
 
 namespace meshgrade::bench {
 namespace {
 
-class DirectLoopContestant : public Contestant {
+template <class Surface, Task kTask>
+class DirectContestant : public Contestant {
  public:
-  explicit DirectLoopContestant(unsigned threads) { options_.threads = threads; }
+  explicit DirectContestant(unsigned threads) { options_.threads = threads; }
 
-  bool takes_part(Task task) const override { return task == Task::kLoop; }
+  bool takes_part(Task task) const override { return task == kTask; }
   void prepare(const Workload& workload) override { workload_ = &workload; }
-  void build() override { surface_ = std::make_unique<DirectLoop>(workload_->mesh); }
+  void build() override { surface_ = std::make_unique<Surface>(workload_->mesh); }
   void subdivide() override { surface_->subdivide(options_); }
   std::size_t n_triangles() const override { return surface_->n_faces(); }
 
  private:
-  DirectLoopOptions options_;
+  SubdivisionOptions options_;
   const Workload* workload_ = nullptr;
-  std::unique_ptr<DirectLoop> surface_;
+  std::unique_ptr<Surface> surface_;
 };
 
 /// As many bytes as DirectLoop keeps for a closed mesh, before and after one level.
@@ -63,7 +65,11 @@ class CopyingLimit : public Contestant {
 }  // namespace
 
 std::unique_ptr<Contestant> make_direct_loop(unsigned threads) {
-  return std::make_unique<DirectLoopContestant>(threads);
+  return std::make_unique<DirectContestant<DirectLoop, Task::kLoop>>(threads);
+}
+
+std::unique_ptr<Contestant> make_direct_catmull_clark() {
+  return std::make_unique<DirectContestant<DirectCatmullClark, Task::kCatmullClark>>(1);
 }
 
 std::unique_ptr<Contestant> make_copying_limit() {

@@ -26,8 +26,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_flag("--quick", selection.quick, "Small meshes and few rounds: a minute");
   app.add_option("--only", selection.tables,
                  "Only these tables; setup, some minutes, is made only when it is named")
-      ->check(CLI::IsMember({"build", "normals", "flips", "splits", "loop", "threads", "memory",
-                             "check", "class", "setup"}));
+      ->check(CLI::IsMember({"build", "normals", "flips", "splits", "loop", "catmull-clark",
+                             "threads", "memory", "check", "class", "setup"}));
   app.add_option("--mesh", selection.meshes, "Only these meshes")
       ->check(CLI::IsMember({"1k", "20k", "330k", "330k shuffled", "1.3M"}));
   app.add_option("--json", arguments.json, "Write all samples and goals to this file as JSON");

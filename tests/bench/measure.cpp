@@ -26,6 +26,7 @@ void perform(Contestant& contestant, Task task) {
     case Task::kSplits:
       return contestant.split_edges();
     case Task::kLoop:
+    case Task::kCatmullClark:
       return contestant.subdivide();
   }
 }
@@ -83,7 +84,7 @@ double time_task(const Factory& make, Task task, const Workload& workload, Clock
 
 std::size_t n_triangles_after(Task task, const Workload& workload) {
   const std::size_t before = workload.mesh.polygons.size();
-  if (task == Task::kLoop) return 4 * before;
+  if (task == Task::kLoop || task == Task::kCatmullClark) return 4 * before;
   return task == Task::kSplits ? before + 2 * workload.edges.size() : before;
 }
 

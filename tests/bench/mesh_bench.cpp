@@ -33,6 +33,9 @@ std::vector<Entrant> entrants() {
           {kOpenSubdiv, make_opensubdiv},
           {kCgal, make_cgal},
           {kDirect, [] { return make_direct_loop(1); }},
+          {kOpenSubdiv, make_opensubdiv_catmull_clark},
+          {kCgal, make_cgal_catmull_clark},
+          {kDirect, make_direct_catmull_clark},
           {kCopying, make_copying_limit}};
 }
 
@@ -61,8 +64,11 @@ std::vector<Size> choose_sizes(const Selection& selection) {
   return chosen;
 }
 
-/// Loop begins one level lower, so that its result has the size of the column.
+/// Subdivision begins one level lower, so that its result has the size of the column; a cube
+/// has about as many faces as an icosphere of one level less.
 Workload make_workload(const Size& size, Task task) {
+  if (task == Task::kCatmullClark)
+    return size.shuffled ? shuffled_cube_sphere(size.levels) : cube_sphere(size.levels);
   const unsigned levels = task == Task::kLoop ? size.levels - 1 : size.levels;
   return size.shuffled ? shuffled_icosphere(levels) : icosphere(levels);
 }
@@ -78,6 +84,7 @@ double operations(Task task, const Workload& workload) {
     case Task::kSplits:
       return static_cast<double>(workload.edges.size());
     case Task::kLoop:
+    case Task::kCatmullClark:
       return static_cast<double>(n_triangles_after(task, workload));
   }
   return 1.0;
@@ -103,13 +110,15 @@ void measure_column(Table& table, Task task, const Size& size,
 
 Table measure_task(Task task, const std::string& name, const std::string& unit,
                    const std::vector<Size>& sizes) {
-  Table table{name, name + ": ns per " + unit, kOpenMesh, {}, {}};
+  const bool is_subdivision = task == Task::kLoop || task == Task::kCatmullClark;
+  const char* base = task == Task::kCatmullClark ? kOpenSubdiv : kOpenMesh;
+  Table table{name, name + ": ns per " + unit, base, {}, {}};
   std::vector<Entrant> field;
   for (const Entrant& entrant : entrants()) {
     if (entrant.make()->takes_part(task)) field.push_back(entrant);
   }
   for (const Size& size : sizes) {
-    if (task == Task::kLoop || !size.loop_only) {
+    if (is_subdivision || !size.loop_only) {
       measure_column(table, task, size, field, Clock::kProcessor);
     }
   }
@@ -134,7 +143,7 @@ void measure_memory_column(Table& table, const Size& size) {
   table.columns.push_back("input of " + size.name);
   table.columns.push_back(size.name);
   for (const Entrant& entrant : entrants()) {
-    if (entrant.name == kCopying) continue;
+    if (entrant.name == kCopying || !entrant.make()->takes_part(Task::kLoop)) continue;
     const Memory memory = measure_memory(entrant.make, workload);
     std::vector<Samples>& cells = table.row(entrant.name).cells;
     cells.push_back({static_cast<double>(memory.built) / n_built});
@@ -171,6 +180,7 @@ std::vector<Table> run_mesh_bench(const Selection& selection) {
   add_task(Task::kFlips, "flips", "flip");
   add_task(Task::kSplits, "splits", "split");
   add_task(Task::kLoop, "loop", "output triangle");
+  add_task(Task::kCatmullClark, "catmull-clark", "output quadrilateral");
   if (selection.has_table("threads")) tables.push_back(measure_threads(sizes));
   if (selection.has_table("memory")) tables.push_back(measure_memories(sizes));
   return tables;
@@ -185,6 +195,8 @@ std::vector<Goal> mesh_goals() {
     goals.push_back({"loop", kTeaching, kList, size, 5.0, Goal::kAtLeast});
     goals.push_back({"loop", kDirect, kCgal, size, 3.0, Goal::kAtLeast});
     goals.push_back({"loop", kDirect, kCopying, size, 4.0});
+    for (const char* peer : {kOpenSubdiv, kCgal})
+      goals.push_back({"catmull-clark", kDirect, peer, size, 3.0, Goal::kAtLeast});
   }
   for (const char* size : {"330k", "1.3M"})
     goals.push_back({"threads", kTwoThreads, kDirect, size, 1.6, Goal::kAtLeast});

@@ -15,7 +15,7 @@ struct Selection {
   bool names(const std::string& name) const;
 };
 
-/// The tables build, normals, flips, splits, loop, threads and memory.
+/// The tables build, normals, flips, splits, loop, catmull-clark, threads and memory.
 std::vector<Table> run_mesh_bench(const Selection& selection);
 
 /// What is asked of these tables.

@@ -26,12 +26,15 @@ struct RefinedPoint {
 
 class OpenSubdivContestant : public Contestant {
  public:
-  bool takes_part(Task task) const override { return task == Task::kLoop; }
+  explicit OpenSubdivContestant(Task task) : task_(task) {}
+
+  bool takes_part(Task task) const override { return task == task_; }
 
   void prepare(const Workload& workload) override {
-    sizes_.assign(workload.mesh.polygons.size(), 3);
-    for (const auto& corners : workload.mesh.polygons)
+    for (const auto& corners : workload.mesh.polygons) {
+      sizes_.push_back(static_cast<int>(corners.size()));
       corners_.insert(corners_.end(), corners.begin(), corners.end());
+    }
     for (const Point3& p : workload.mesh.positions)
       points_.push_back({p[0], p[1], p[2]});
   }
@@ -43,7 +46,8 @@ class OpenSubdivContestant : public Contestant {
     descriptor.numVertsPerFace = sizes_.data();
     descriptor.vertIndicesPerFace = corners_.data();
     using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-    refiner_.reset(Factory::Create(descriptor, Factory::Options(Sdc::SCHEME_LOOP, {})));
+    const auto scheme = task_ == Task::kLoop ? Sdc::SCHEME_LOOP : Sdc::SCHEME_CATMARK;
+    refiner_.reset(Factory::Create(descriptor, Factory::Options(scheme, {})));
   }
 
   // With the neighbours of the last level, as the other libraries have them in the end.
@@ -60,6 +64,7 @@ class OpenSubdivContestant : public Contestant {
   }
 
  private:
+  Task task_;
   std::unique_ptr<Far::TopologyRefiner> refiner_;
   std::vector<int> sizes_;
   std::vector<Far::Index> corners_;
@@ -70,7 +75,11 @@ class OpenSubdivContestant : public Contestant {
 }  // namespace
 
 std::unique_ptr<Contestant> make_opensubdiv() {
-  return std::make_unique<OpenSubdivContestant>();
+  return std::make_unique<OpenSubdivContestant>(Task::kLoop);
+}
+
+std::unique_ptr<Contestant> make_opensubdiv_catmull_clark() {
+  return std::make_unique<OpenSubdivContestant>(Task::kCatmullClark);
 }
 
 }  // namespace meshgrade::bench

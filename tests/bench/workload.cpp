@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "grader/subdivide/direct_catmull_clark.h"
 #include "grader/subdivide/direct_loop.h"
 
 namespace meshgrade::bench {
@@ -23,16 +24,34 @@ PolygonMesh icosahedron() {
   return mesh;
 }
 
-PolygonMesh sphere(unsigned levels) {
-  DirectLoopOptions options;
-  options.levels = levels;
-  PolygonMesh mesh = direct_loop(icosahedron(), options);
+PolygonMesh cube() {
+  PolygonMesh mesh;
+  mesh.positions = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
+                    {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
+  mesh.polygons = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                   {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  return mesh;
+}
+
+PolygonMesh on_sphere(PolygonMesh mesh) {
   for (Point3& p : mesh.positions) {
     const double length = std::hypot(p[0], p[1], p[2]);
     for (double& coordinate : p)
       coordinate /= length;
   }
   return mesh;
+}
+
+PolygonMesh sphere(unsigned levels) {
+  SubdivisionOptions options;
+  options.levels = levels;
+  return on_sphere(direct_loop(icosahedron(), options));
+}
+
+PolygonMesh sphere_of_quadrilaterals(unsigned levels) {
+  SubdivisionOptions options;
+  options.levels = levels;
+  return on_sphere(direct_catmull_clark(cube(), options));
 }
 
 /// The numbers 0 .. n - 1 in random order, the same in every run.
@@ -64,14 +83,7 @@ Workload with_edges(PolygonMesh mesh) {
   return workload;
 }
 
-}  // namespace
-
-Workload icosphere(unsigned levels) {
-  return with_edges(sphere(levels));
-}
-
-Workload shuffled_icosphere(unsigned levels) {
-  const PolygonMesh ordered = sphere(levels);
+Workload shuffled(const PolygonMesh& ordered) {
   const auto new_vertex = random_order(ordered.positions.size());
   const auto new_face = random_order(ordered.polygons.size());
   PolygonMesh mesh = ordered;
@@ -84,6 +96,24 @@ Workload shuffled_icosphere(unsigned levels) {
       v = new_vertex[v];
   }
   return with_edges(std::move(mesh));
+}
+
+}  // namespace
+
+Workload icosphere(unsigned levels) {
+  return with_edges(sphere(levels));
+}
+
+Workload shuffled_icosphere(unsigned levels) {
+  return shuffled(sphere(levels));
+}
+
+Workload cube_sphere(unsigned levels) {
+  return with_edges(sphere_of_quadrilaterals(levels));
+}
+
+Workload shuffled_cube_sphere(unsigned levels) {
+  return shuffled(sphere_of_quadrilaterals(levels));
 }
 
 }  // namespace meshgrade::bench

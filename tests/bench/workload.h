@@ -12,4 +12,8 @@ Workload icosphere(unsigned levels);
 /// memory.
 Workload shuffled_icosphere(unsigned levels);
 
+/// The same two with 6 * 4^levels quadrilaterals, made from a cube.
+Workload cube_sphere(unsigned levels);
+Workload shuffled_cube_sphere(unsigned levels);
+
 }  // namespace meshgrade::bench

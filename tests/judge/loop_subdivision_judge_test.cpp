@@ -49,7 +49,7 @@ TEST(LoopOracle, OctahedronAndTetrahedronMoveByTheirClosedForms) {
   const std::pair<VertexRule, double> rules[] = {{VertexRule::kLoop, 0.12109375},
                                                  {VertexRule::kWarren, 0.09375}};
   for (const auto& [rule, b] : rules) {
-    const LoopLevel level = opensubdiv_loop(octahedron, rule, CornerRule::kSmooth);
+    const SubdivisionLevel level = opensubdiv_loop(octahedron, rule, CornerRule::kSmooth);
     for (std::size_t v = 0; v < octahedron.positions.size(); ++v) {
       for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(level.mesh.positions[level.child_of_vertex[v]][i],
@@ -60,7 +60,7 @@ TEST(LoopOracle, OctahedronAndTetrahedronMoveByTheirClosedForms) {
   // Tetrahedron: b = 3/16 by both rules.
   const PolygonMesh t = sample_polygons("tetrahedron.obj");
   for (VertexRule rule : {VertexRule::kLoop, VertexRule::kWarren}) {
-    const LoopLevel level = opensubdiv_loop(t, rule, CornerRule::kSmooth);
+    const SubdivisionLevel level = opensubdiv_loop(t, rule, CornerRule::kSmooth);
     for (std::size_t v = 0; v < 4; ++v) {
       for (std::size_t i = 0; i < 3; ++i) {
         double others = -t.positions[v][i];
@@ -83,7 +83,7 @@ TEST(LoopOracle, InsideOfARegularGridKeepsItsPlaces) {
     ++valence[e.second];
     if (set.is_boundary(e)) boundary[e.first] = boundary[e.second] = true;
   }
-  const LoopLevel level = opensubdiv_loop(grid, VertexRule::kLoop, CornerRule::kSmooth);
+  const SubdivisionLevel level = opensubdiv_loop(grid, VertexRule::kLoop, CornerRule::kSmooth);
   int inside = 0;
   for (std::size_t v = 0; v < grid.positions.size(); ++v) {
     if (boundary[v] || valence[v] != 6) continue;

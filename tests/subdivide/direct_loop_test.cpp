@@ -9,7 +9,8 @@
 #include <set>
 
 #include "grader/base/errors.h"
-#include "grader/subdivide/opensubdiv_loop.h"
+#include "grader/subdivide/opensubdiv_level.h"
+#include "tests/subdivide/comparison.h"
 #include "tests/subdivide/course_meshes.h"
 
 namespace meshgrade {
@@ -18,33 +19,20 @@ namespace {
 constexpr std::array<VertexRule, 2> kVertexRules = {VertexRule::kLoop, VertexRule::kWarren};
 constexpr std::array<CornerRule, 2> kCornerRules = {CornerRule::kSmooth, CornerRule::kCorner};
 
-DirectLoopOptions levels(unsigned n, VertexRule vertex_rule = VertexRule::kLoop,
-                         CornerRule corner_rule = CornerRule::kSmooth) {
-  DirectLoopOptions options;
+SubdivisionOptions levels(unsigned n, VertexRule vertex_rule = VertexRule::kLoop,
+                          CornerRule corner_rule = CornerRule::kSmooth) {
+  SubdivisionOptions options;
   options.levels = n;
   options.vertex_rule = vertex_rule;
   options.corner_rule = corner_rule;
   return options;
 }
 
-double largest_coordinate(const PolygonMesh& mesh) {
-  double largest = 0;
-  for (const Point3& point : mesh.positions) {
-    for (const double x : point)
-      largest = std::max(largest, std::abs(x));
-  }
-  return largest;
-}
-
 /// The vertex of `to` that carries the name of each vertex of `from`, by the edges that both
 /// have split: `from` is numbered by DirectLoop, `level` by OpenSubdiv.
 std::vector<std::uint32_t> names_in_level(const PolygonMesh& old, const PolygonMesh& from,
-                                          const LoopLevel& level) {
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> child_of_edge;
-  for (std::size_t e = 0; e < level.edges.size(); ++e) {
-    const auto [a, b] = level.edges[e];
-    child_of_edge[{std::min(a, b), std::max(a, b)}] = level.child_of_edge[e];
-  }
+                                          const SubdivisionLevel& level) {
+  const auto child_of_edge = children_of_edges(level);
   std::vector<std::uint32_t> names(from.positions.size());
   std::copy(level.child_of_vertex.begin(), level.child_of_vertex.end(), names.begin());
   for (std::size_t f = 0; f < old.polygons.size(); ++f) {
@@ -57,21 +45,6 @@ std::vector<std::uint32_t> names_in_level(const PolygonMesh& old, const PolygonM
   return names;
 }
 
-/// The faces, each begun at its lowest vertex, under new names.
-std::multiset<std::vector<std::uint32_t>> renamed_faces(
-    const PolygonMesh& mesh, const std::vector<std::uint32_t>* names) {
-  std::multiset<std::vector<std::uint32_t>> faces;
-  for (std::vector<std::uint32_t> face : mesh.polygons) {
-    if (names) {
-      for (std::uint32_t& v : face)
-        v = (*names)[v];
-    }
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-    faces.insert(face);
-  }
-  return faces;
-}
-
 TEST(DirectLoop, EqualsOpenSubdivOnEveryMeshRuleAndLevel) {
   for (const auto& [name, mesh] : triangle_meshes()) {
     for (const VertexRule vertex_rule : kVertexRules) {
@@ -80,17 +53,11 @@ TEST(DirectLoop, EqualsOpenSubdivOnEveryMeshRuleAndLevel) {
         for (int level = 1; level <= 3; ++level) {
           SCOPED_TRACE(name + ", level " + std::to_string(level));
           const PolygonMesh ours = direct_loop(old, levels(1, vertex_rule, corner_rule));
-          const LoopLevel theirs = opensubdiv_loop(old, vertex_rule, corner_rule);
+          const SubdivisionLevel theirs = opensubdiv_loop(old, vertex_rule, corner_rule);
           ASSERT_EQ(ours.positions.size(), theirs.mesh.positions.size());
           const auto names = names_in_level(old, ours, theirs);
           EXPECT_EQ(renamed_faces(ours, &names), renamed_faces(theirs.mesh, nullptr));
-          const double tolerance = 1e-12 * largest_coordinate(mesh);
-          for (std::size_t v = 0; v < ours.positions.size(); ++v) {
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-              ASSERT_NEAR(ours.positions[v][axis], theirs.mesh.positions[names[v]][axis],
-                          tolerance);
-            }
-          }
+          expect_same_points(ours, theirs.mesh, names);
           old = ours;
         }
       }
@@ -182,7 +149,7 @@ TEST(DirectLoop, CommutesWithAffineMaps) {
 
 TEST(DirectLoop, NumberOfThreadsChangesNoBit) {
   const PolygonMesh mesh = torus_mesh(100, 100);
-  DirectLoopOptions options = levels(2);
+  SubdivisionOptions options = levels(2);
   const PolygonMesh one = direct_loop(mesh, options);
   for (const unsigned threads : {2U, 3U, 7U}) {
     options.threads = threads;
@@ -193,7 +160,7 @@ TEST(DirectLoop, NumberOfThreadsChangesNoBit) {
 }
 
 TEST(DirectLoop, ProgressRisesToOne) {
-  DirectLoopOptions options = levels(3);
+  SubdivisionOptions options = levels(3);
   double last = 0;
   options.progress = [&](double done) {
     EXPECT_GE(done, last);

@@ -13,7 +13,7 @@
 #include "grader/judge/operation_model.h"
 #include "grader/judge/operations_judge.h"
 #include "grader/run/outcome.h"
-#include "grader/subdivide/opensubdiv_loop.h"
+#include "grader/subdivide/opensubdiv_level.h"
 #include "tests/support/sample_meshes.h"
 
 namespace meshgrade {

@@ -16,7 +16,7 @@
 #include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
 #include "grader/mesh/mesh_rules.h"
-#include "grader/subdivide/opensubdiv_loop.h"
+#include "grader/subdivide/opensubdiv_level.h"
 
 namespace meshgrade {
 namespace {
@@ -46,7 +46,7 @@ Level refine(const std::map<std::string, PolygonMesh>& meshes) {
   for (const Variant& variant : kVariants) {
     const auto mesh = meshes.find(variant.name);
     if (mesh == meshes.end()) continue;
-    LoopLevel refined = opensubdiv_loop(mesh->second, variant.vertex_rule, variant.corner_rule);
+    SubdivisionLevel refined = opensubdiv_loop(mesh->second, variant.vertex_rule, variant.corner_rule);
     if (level.origins.empty()) {
       level.origins.resize(refined.mesh.positions.size());
       for (std::uint32_t v = 0; v < refined.child_of_vertex.size(); ++v) {

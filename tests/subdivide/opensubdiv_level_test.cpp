@@ -1,4 +1,4 @@
-#include "grader/subdivide/opensubdiv_loop.h"
+#include "grader/subdivide/opensubdiv_level.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,9 @@ namespace {
 TEST(OpensubdivLoop, OctahedronKeepsItsCornersByTheClosedForm) {
   // The four neighbours of a corner sum to zero, so that it moves to 1 - 4 b of itself.
   const PolygonMesh& mesh = triangle_mesh("octahedron.off");
-  const LoopLevel loop = opensubdiv_loop(mesh, VertexRule::kLoop, CornerRule::kSmooth);
-  const LoopLevel warren = opensubdiv_loop(mesh, VertexRule::kWarren, CornerRule::kSmooth);
+  const SubdivisionLevel loop = opensubdiv_loop(mesh, VertexRule::kLoop, CornerRule::kSmooth);
+  const SubdivisionLevel warren =
+      opensubdiv_loop(mesh, VertexRule::kWarren, CornerRule::kSmooth);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double old = mesh.positions[v][axis];
@@ -28,7 +29,7 @@ TEST(OpensubdivLoop, OctahedronKeepsItsCornersByTheClosedForm) {
 
 TEST(OpensubdivLoop, EdgePointsInsideAreThreeEighthsAndOneEighth) {
   const PolygonMesh& mesh = triangle_mesh("two_triangles.obj");
-  const LoopLevel level = opensubdiv_loop(mesh, VertexRule::kLoop, CornerRule::kSmooth);
+  const SubdivisionLevel level = opensubdiv_loop(mesh, VertexRule::kLoop, CornerRule::kSmooth);
   bool found = false;
   for (std::size_t e = 0; e < level.edges.size(); ++e) {
     const std::set<std::uint32_t> ends(level.edges[e].begin(), level.edges[e].end());
@@ -48,7 +49,8 @@ TEST(OpensubdivLoop, EdgePointsInsideAreThreeEighthsAndOneEighth) {
 
 TEST(OpensubdivLoop, EveryVertexHasOneParent) {
   for (const auto& [name, mesh] : triangle_meshes()) {
-    const LoopLevel level = opensubdiv_loop(mesh, VertexRule::kWarren, CornerRule::kCorner);
+    const SubdivisionLevel level =
+        opensubdiv_loop(mesh, VertexRule::kWarren, CornerRule::kCorner);
     std::set<std::uint32_t> children(level.child_of_vertex.begin(),
                                      level.child_of_vertex.end());
     children.insert(level.child_of_edge.begin(), level.child_of_edge.end());
@@ -61,8 +63,8 @@ TEST(OpensubdivLoop, EveryVertexHasOneParent) {
 
 TEST(OpensubdivLoop, CornerRuleDecidesAboutVerticesOfOneFace) {
   const PolygonMesh& mesh = triangle_mesh("single_triangle.obj");
-  const LoopLevel smooth = opensubdiv_loop(mesh, VertexRule::kLoop, CornerRule::kSmooth);
-  const LoopLevel corner = opensubdiv_loop(mesh, VertexRule::kLoop, CornerRule::kCorner);
+  const SubdivisionLevel smooth = opensubdiv_loop(mesh, VertexRule::kLoop, CornerRule::kSmooth);
+  const SubdivisionLevel corner = opensubdiv_loop(mesh, VertexRule::kLoop, CornerRule::kCorner);
   EXPECT_EQ(smooth.mesh.positions[smooth.child_of_vertex[0]], (Point3{1.0 / 8, 1.0 / 8, 0}));
   EXPECT_EQ(corner.mesh.positions[corner.child_of_vertex[0]], (Point3{0, 0, 0}));
 }

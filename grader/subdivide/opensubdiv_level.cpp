@@ -1,4 +1,4 @@
-#include "grader/subdivide/opensubdiv_loop.h"
+#include "grader/subdivide/opensubdiv_level.h"
 
 #include <opensubdiv/far/primvarRefiner.h>
 #include <opensubdiv/far/topologyDescriptor.h>
@@ -24,25 +24,16 @@ struct RefinedPoint {
   }
 };
 
-std::vector<Far::Index> flat_corners(const PolygonMesh& mesh) {
+std::unique_ptr<Far::TopologyRefiner> refined_topology(const PolygonMesh& mesh,
+                                                       Sdc::SchemeType scheme,
+                                                       CornerRule corner_rule) {
+  std::vector<int> sizes;
   std::vector<Far::Index> corners;
-  corners.reserve(mesh.polygons.size() * 3);
-  for (std::size_t f = 0; f < mesh.polygons.size(); ++f) {
-    const auto& polygon = mesh.polygons[f];
-    if (polygon.size() != 3) {
-      throw LoopError("face f" + std::to_string(f) + " has " + std::to_string(polygon.size()) +
-                      " corners: Loop subdivision needs triangles");
-    }
+  for (const auto& polygon : mesh.polygons) {
+    sizes.push_back(static_cast<int>(polygon.size()));
     for (const std::uint32_t v : polygon)
       corners.push_back(static_cast<Far::Index>(v));
   }
-  return corners;
-}
-
-std::unique_ptr<Far::TopologyRefiner> refined_topology(const PolygonMesh& mesh,
-                                                       CornerRule corner_rule) {
-  const std::vector<Far::Index> corners = flat_corners(mesh);
-  const std::vector<int> sizes(mesh.polygons.size(), 3);
   Far::TopologyDescriptor descriptor;
   descriptor.numVertices = static_cast<int>(mesh.positions.size());
   descriptor.numFaces = static_cast<int>(mesh.polygons.size());
@@ -55,8 +46,8 @@ std::unique_ptr<Far::TopologyRefiner> refined_topology(const PolygonMesh& mesh,
                                           : Sdc::Options::VTX_BOUNDARY_EDGE_ONLY);
   using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
   std::unique_ptr<Far::TopologyRefiner> refiner(
-      Factory::Create(descriptor, Factory::Options(Sdc::SCHEME_LOOP, options)));
-  if (!refiner) throw LoopError("OpenSubdiv refuses the topology of this mesh");
+      Factory::Create(descriptor, Factory::Options(scheme, options)));
+  if (!refiner) throw SubdivisionError("OpenSubdiv refuses the topology of this mesh");
   Far::TopologyRefiner::UniformOptions uniform(1);
   uniform.orderVerticesFromFacesFirst = false;
   uniform.fullTopologyInLastLevel = true;
@@ -80,7 +71,7 @@ std::vector<Point3> refined_points(const Far::TopologyRefiner& refiner,
   return points;
 }
 
-void read_parents(const Far::TopologyLevel& old_level, LoopLevel& result) {
+void read_parents(const Far::TopologyLevel& old_level, SubdivisionLevel& result) {
   for (int v = 0; v < old_level.GetNumVertices(); ++v) {
     result.child_of_vertex.push_back(
         static_cast<std::uint32_t>(old_level.GetVertexChildVertex(v)));
@@ -94,7 +85,7 @@ void read_parents(const Far::TopologyLevel& old_level, LoopLevel& result) {
 }
 
 void move_to_warren(const Far::TopologyLevel& old_level,
-                    const std::vector<Point3>& old_positions, LoopLevel& result) {
+                    const std::vector<Point3>& old_positions, SubdivisionLevel& result) {
   for (int v = 0; v < old_level.GetNumVertices(); ++v) {
     if (old_level.IsVertexBoundary(v) || old_level.IsVertexNonManifold(v)) continue;
     const auto valence = static_cast<std::size_t>(old_level.GetVertexEdges(v).size());
@@ -108,23 +99,41 @@ void move_to_warren(const Far::TopologyLevel& old_level,
   }
 }
 
-}  // namespace
-
-LoopLevel opensubdiv_loop(const PolygonMesh& mesh, VertexRule vertex_rule,
-                          CornerRule corner_rule) {
-  const auto refiner = refined_topology(mesh, corner_rule);
-  const Far::TopologyLevel& old_level = refiner->GetLevel(0);
-  const Far::TopologyLevel& new_level = refiner->GetLevel(1);
-
-  LoopLevel result;
-  result.mesh.positions = refined_points(*refiner, mesh.positions);
+SubdivisionLevel read_level(const Far::TopologyRefiner& refiner, const PolygonMesh& mesh) {
+  const Far::TopologyLevel& new_level = refiner.GetLevel(1);
+  SubdivisionLevel result;
+  result.mesh.positions = refined_points(refiner, mesh.positions);
   result.mesh.polygons.reserve(static_cast<std::size_t>(new_level.GetNumFaces()));
   for (int f = 0; f < new_level.GetNumFaces(); ++f) {
     const Far::ConstIndexArray corners = new_level.GetFaceVertices(f);
     result.mesh.polygons.emplace_back(corners.begin(), corners.end());
   }
-  read_parents(old_level, result);
-  if (vertex_rule == VertexRule::kWarren) move_to_warren(old_level, mesh.positions, result);
+  read_parents(refiner.GetLevel(0), result);
+  return result;
+}
+
+/// In levels of a scheme that has them: it must not be asked of others.
+void read_middles(const Far::TopologyLevel& old_level, SubdivisionLevel& result) {
+  for (int f = 0; f < old_level.GetNumFaces(); ++f)
+    result.child_of_face.push_back(static_cast<std::uint32_t>(old_level.GetFaceChildVertex(f)));
+}
+
+}  // namespace
+
+SubdivisionLevel opensubdiv_loop(const PolygonMesh& mesh, VertexRule vertex_rule,
+                                 CornerRule corner_rule) {
+  require_triangles(mesh);
+  const auto refiner = refined_topology(mesh, Sdc::SCHEME_LOOP, corner_rule);
+  SubdivisionLevel result = read_level(*refiner, mesh);
+  if (vertex_rule == VertexRule::kWarren)
+    move_to_warren(refiner->GetLevel(0), mesh.positions, result);
+  return result;
+}
+
+SubdivisionLevel opensubdiv_catmull_clark(const PolygonMesh& mesh, CornerRule corner_rule) {
+  const auto refiner = refined_topology(mesh, Sdc::SCHEME_CATMARK, corner_rule);
+  SubdivisionLevel result = read_level(*refiner, mesh);
+  read_middles(refiner->GetLevel(0), result);
   return result;
 }
 
