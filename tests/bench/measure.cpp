@@ -6,6 +6,7 @@
 #include <climits>
 #include <ctime>
 #include <numeric>
+#include <string>
 
 #include "grader/base/errors.h"
 
@@ -41,8 +42,10 @@ double time_once(const Factory& make, Task task, const Workload& workload, Clock
   const double start = seconds(clock);
   perform(*contestant, task);
   const double taken = seconds(clock) - start;
-  if (contestant->n_triangles() != n_triangles_after(task, workload)) {
-    throw GraderError("the benchmark's result has a wrong number of triangles");
+  const std::size_t expected = n_triangles_after(task, workload);
+  if (contestant->n_triangles() != expected) {
+    throw GraderError("the benchmark's result has " + std::to_string(contestant->n_triangles()) +
+                      " faces, not " + std::to_string(expected));
   }
   return taken;
 }
