@@ -121,6 +121,25 @@ void subdivide_file(const Arguments& arguments) {
   }
 }
 
+/// How the surface is smoothed. @return the option that is of Loop's scheme only
+const CLI::Option* add_rules(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option("--scheme", arguments.scheme,
+                  "Loop's, for triangles, or Catmull and Clark's, for any polygons")
+      ->check(CLI::IsMember({"loop", "catmull-clark"}))
+      ->capture_default_str();
+  const CLI::Option* rule =
+      command.add_option("--rule", arguments.rule, "Weights of Loop's inner vertices")
+          ->check(CLI::IsMember({"loop", "warren"}))
+          ->capture_default_str();
+  command
+      .add_option("--boundary", arguments.boundary,
+                  "Boundary vertices of a single face: smooth them, or keep the corner")
+      ->check(CLI::IsMember({"smooth", "corner"}))
+      ->capture_default_str();
+  return rule;
+}
+
 }  // namespace
 
 void add_subdivide_command(CLI::App& app, int& exit_code) {
@@ -134,23 +153,10 @@ void add_subdivide_command(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("-o,--output", arguments->out, "Where to write; same formats")
       ->required();
-  command
-      ->add_option("--scheme", arguments->scheme,
-                   "Loop's, for triangles, or Catmull and Clark's, for any polygons")
-      ->check(CLI::IsMember({"loop", "catmull-clark"}))
-      ->capture_default_str();
   command->add_option("-n,--levels", options.levels, "How often each face is divided")
       ->check(CLI::Range(0U, kMostLevels))
       ->capture_default_str();
-  const CLI::Option* rule =
-      command->add_option("--rule", arguments->rule, "Weights of Loop's inner vertices")
-          ->check(CLI::IsMember({"loop", "warren"}))
-          ->capture_default_str();
-  command
-      ->add_option("--boundary", arguments->boundary,
-                   "Boundary vertices of a single face: smooth them, or keep the corner")
-      ->check(CLI::IsMember({"smooth", "corner"}))
-      ->capture_default_str();
+  const CLI::Option* rule = add_rules(*command, *arguments);
   command
       ->add_option("--threads", options.threads,
                    "The result is the same for every number of threads")
