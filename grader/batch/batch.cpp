@@ -48,8 +48,9 @@ struct StepMessage {
   }
 };
 
-/// The lock ends with the process, however it ends.
+/// Makes the folder and locks it. The lock ends with the process, however it ends.
 FileDescriptor lock_results(const fs::path& folder) {
+  make_folder(folder);
   FileDescriptor lock(
       ::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
   if (lock.get() < 0) throw UserError(folder.string() + ": cannot be written to");
@@ -254,7 +255,7 @@ class Batch {
 }  // namespace
 
 BatchFolder::BatchFolder(const fs::path& folder)
-    : folder_((make_folder(folder), folder)), lock_(lock_results(folder_)) {
+    : folder_(folder), lock_(lock_results(folder_)) {
   const char* before = std::getenv("TMPDIR");
   if (before != nullptr) temporary_before_ = before;
   clear();

@@ -40,9 +40,9 @@ PolygonMesh prism(std::uint32_t n) {
   return mesh;
 }
 
-/// A polygon of n corners with a pyramid of triangles on one side: open, with every kind of
-/// vertex on its boundary.
-PolygonMesh open_hat(std::uint32_t n) {
+/// A prism without its top and one side: open, with boundary vertices of one, two and three
+/// faces.
+PolygonMesh open_prism(std::uint32_t n) {
   PolygonMesh mesh = prism(n);
   mesh.polygons.pop_back();
   mesh.polygons.erase(mesh.polygons.begin());
@@ -55,11 +55,11 @@ std::vector<NamedMesh> polygon_meshes() {
       {"quad_cube.dae", read_mesh(MESHGRADE_SOURCE_DIR "/meshes/quad_cube.dae").mesh});
   for (std::uint32_t n = 3; n <= 12; ++n) {
     all.push_back({"prism of " + std::to_string(n), prism(n)});
-    all.push_back({"open hat of " + std::to_string(n), open_hat(n)});
+    all.push_back({"open prism of " + std::to_string(n), open_prism(n)});
   }
   PolygonMesh two = prism(5);
   const auto shift = static_cast<std::uint32_t>(two.positions.size());
-  const PolygonMesh other = open_hat(7);
+  const PolygonMesh other = open_prism(7);
   for (const Point3& p : other.positions)
     two.positions.push_back({p[0] + 9.0, p[1], p[2]});
   for (std::vector<std::uint32_t> polygon : other.polygons) {
