@@ -44,8 +44,9 @@ double time_once(const Factory& make, Task task, const Workload& workload, Clock
   const double taken = seconds(clock) - start;
   const std::size_t expected = n_triangles_after(task, workload);
   if (contestant->n_triangles() != expected) {
-    throw GraderError("the benchmark's result has " + std::to_string(contestant->n_triangles()) +
-                      " faces, not " + std::to_string(expected));
+    throw GraderError("the benchmark's result has " +
+                      std::to_string(contestant->n_triangles()) + " faces, not " +
+                      std::to_string(expected));
   }
   return taken;
 }

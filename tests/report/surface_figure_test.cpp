@@ -78,7 +78,8 @@ TEST(SurfaceFigure, LargeMeshIsShownAroundItsWorstVertex) {
 
 /// One right step with the vertices numbered as by splitting edges: first the old ones.
 MeshDump old_vertices_first(const PolygonMesh& mesh) {
-  const SubdivisionLevel level = opensubdiv_loop(mesh, VertexRule::kWarren, CornerRule::kSmooth);
+  const SubdivisionLevel level =
+      opensubdiv_loop(mesh, VertexRule::kWarren, CornerRule::kSmooth);
   std::vector<Ref> number(level.mesh.positions.size());
   for (Ref v = 0; v < level.child_of_vertex.size(); ++v)
     number[level.child_of_vertex[v]] = v;

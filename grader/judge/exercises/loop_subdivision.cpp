@@ -46,7 +46,8 @@ Level refine(const std::map<std::string, PolygonMesh>& meshes) {
   for (const Variant& variant : kVariants) {
     const auto mesh = meshes.find(variant.name);
     if (mesh == meshes.end()) continue;
-    SubdivisionLevel refined = opensubdiv_loop(mesh->second, variant.vertex_rule, variant.corner_rule);
+    SubdivisionLevel refined =
+        opensubdiv_loop(mesh->second, variant.vertex_rule, variant.corner_rule);
     if (level.origins.empty()) {
       level.origins.resize(refined.mesh.positions.size());
       for (std::uint32_t v = 0; v < refined.child_of_vertex.size(); ++v) {
