@@ -86,30 +86,66 @@ bool deserves_second_run(const CaseJudgement& judgement) {
   }
 }
 
-/// Runs failed cases once more, each in a process of its own, and says so where that helps.
-void run_again_alone(const Assignment& assignment, const Home& home,
-                     const ExerciseRubric& rubric, const Build& build,
-                     const std::vector<Case>& cases, Conventions conventions,
-                     std::vector<CaseJudgement>& judgements) {
-  std::vector<const Case*> failed;
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (!deserves_second_run(judgements[i])) continue;
-    failed.push_back(&cases[i]);
-    places.push_back(i);
+/// Which cases run once more: all that an exercise has of one kind, or some of it.
+using Places = std::vector<std::size_t>;
+
+Places places_that_deserve_it(const std::vector<CaseJudgement>& judgements) {
+  Places places;
+  for (std::size_t i = 0; i < judgements.size(); ++i) {
+    if (deserves_second_run(judgements[i])) places.push_back(i);
   }
-  if (failed.empty()) return;
-  const StageTimer timer(home.times.get(), "run failures again, alone");
+  return places;
+}
+
+/// Those that are explained in full, and as many more from all over the others.
+Places some_of(const Places& places) {
+  if (places.size() <= 2 * kMostExplained) return places;
+  Places some(places.begin(), places.begin() + kMostExplained);
+  const std::size_t others = places.size() - kMostExplained;
+  for (std::size_t i = 1; i <= kMostExplained; ++i)
+    some.push_back(places[kMostExplained - 1 + i * others / kMostExplained]);
+  return some;
+}
+
+/// @return those of the places whose cases pass when each has a process of its own
+Places pass_alone(const Assignment& assignment, const ExerciseRubric& rubric,
+                  const Build& build, const std::vector<Case>& cases, Conventions conventions,
+                  const Places& places) {
+  std::vector<const Case*> failed;
+  for (std::size_t place : places)
+    failed.push_back(&cases[place]);
   const std::vector<Outcome> outcomes =
       run_cases(build, failed, assignment.limits, Company::kAlone);
   const auto alone = judge_all(assignment, rubric, failed, outcomes, conventions, 0);
+  Places passed;
   for (std::size_t i = 0; i < alone.size(); ++i) {
-    if (alone[i].verdict != Verdict::kPassed) continue;
-    judgements[places[i]].passes_alone = true;
-    judgements[places[i]].note =
+    if (alone[i].verdict == Verdict::kPassed) passed.push_back(places[i]);
+  }
+  return passed;
+}
+
+/// Runs failed cases once more, each in a process of its own, and says so where that helps.
+/// If that helps none of some, the others are not asked.
+void run_again_alone(const Assignment& assignment, const Home& home,
+                     const ExerciseRubric& rubric, const Build& build,
+                     const std::vector<Case>& cases, const Conventions& conventions,
+                     std::vector<CaseJudgement>& judgements) {
+  const Places all = places_that_deserve_it(judgements);
+  if (all.empty()) return;
+  const StageTimer timer(home.times.get(), "run failures again, alone");
+  const Places some = some_of(all);
+  const auto ask = [&](const Places& places) {
+    return pass_alone(assignment, rubric, build, cases, conventions, places);
+  };
+  Places passed = ask(some);
+  if (!passed.empty() && some.size() < all.size()) passed = ask(all);
+  for (std::size_t place : passed) {
+    CaseJudgement& judgement = judgements[place];
+    judgement.passes_alone = true;
+    judgement.note =
         "this case passes when it is run alone: the code keeps something from one call to the "
         "next, in a global or static variable? Only a check of the whole exercise shows it";
-    for (Finding& finding : judgements[places[i]].findings)
+    for (Finding& finding : judgement.findings)
       finding.likely.clear();  // the numbers are right in a fresh process
   }
 }

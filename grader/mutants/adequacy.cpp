@@ -9,10 +9,9 @@
 namespace meshgrade {
 namespace {
 
-/// `count` of the list, drawn with the seed and in their old order; all if `count` is 0.
+/// At most `count` of the list, drawn with the seed and in their old order.
 template <class T>
 std::vector<T> draw(std::vector<T> list, std::size_t count, Random random) {
-  if (count == 0) return list;
   while (list.size() > count) {
     list.erase(list.begin() + random.below(static_cast<std::uint32_t>(list.size())));
   }
@@ -78,7 +77,9 @@ std::vector<Mutant> without_time_limit(const std::vector<MutantResult>& results)
 
 /// Those that are drawn; and where single pointers are looked at, all that set one wrong.
 std::vector<Mutant> choose(const std::vector<Mutant>& mutants, const AdequacyOptions& options) {
-  std::vector<Mutant> chosen = draw(mutants, options.mutants, Random(options.seed, "mutants"));
+  std::vector<Mutant> chosen = mutants;
+  if (options.mutants != 0)
+    chosen = draw(std::move(chosen), options.mutants, Random(options.seed, "mutants"));
   if (!options.single_pointers) return chosen;
   const std::set<std::string> drawn = ids_of(chosen);
   std::copy_if(mutants.begin(), mutants.end(), std::back_inserter(chosen),

@@ -93,11 +93,12 @@ void run_exercise(const Task& task, Recorder& recorder) {
   end_task(std::move(frame));
 }
 
-/// The soft limit is what the student may use; the hard one leaves room to say that it was
-/// reached.
-void limit_memory(std::uint64_t bytes) {
+/// The soft limit is what the student may use; the hard one, of all tasks, leaves room to say
+/// that it was reached.
+void limit_memory(std::uint64_t bytes, std::uint64_t of_all_tasks) {
   if (bytes == 0) return;
-  const rlimit limit{static_cast<rlim_t>(bytes), static_cast<rlim_t>(bytes) + kMemoryToReport};
+  const rlimit limit{static_cast<rlim_t>(bytes),
+                     static_cast<rlim_t>(of_all_tasks) + kMemoryToReport};
   ::setrlimit(RLIMIT_AS, &limit);
 }
 
@@ -189,6 +190,8 @@ void run_task(const Task& task, const Patience& patience) {
   Recorder recorder;
   running.recorder = &recorder;
   meshedit::detail::steps_left = static_cast<std::int64_t>(task.step_budget);
+  const std::uint64_t memory = running.list->memory_bytes;
+  limit_memory(patience.memory_limit(task, memory), memory);
   set_timer(patience.cpu_limit(task));
   EndFrame frame;
   try {
@@ -259,8 +262,20 @@ void write_end(EndFrame frame, SharedState& shared, std::uint64_t limit) {
     frame.interrupted.clear();
     append_frame(kResultFile, shared, frame_bytes(FrameKind::kEnd, to_wire(frame)), room);
   }
+  shared.last_ending = frame.ending;
   ++shared.tasks_done;
 }
+
+namespace {
+
+/// Whether the next task runs in this process, too. Not where it gets less memory: what others
+/// before it have kept is none of its business.
+bool goes_on(const TaskList& list, const Patience& patience, const SharedState& shared) {
+  return !list.alone && shared.tasks_done < list.tasks.size() &&
+         !patience.is_hungry(list.tasks[shared.tasks_done]);
+}
+
+}  // namespace
 
 void run_tasks(const TaskList& list, const Patience& patience, SharedState& shared) {
   running = {&list, &shared, nullptr};
@@ -272,7 +287,6 @@ void run_tasks(const TaskList& list, const Patience& patience, SharedState& shar
   std::set_terminate(on_terminate);
   std::set_new_handler(on_out_of_memory);
   meshedit::detail::fault_handler = on_fault;
-  limit_memory(list.memory_bytes);
   limit_files(list.output_bytes);
   do {
     const Task& task = list.tasks[shared.tasks_done];
@@ -281,7 +295,7 @@ void run_tasks(const TaskList& list, const Patience& patience, SharedState& shar
     } else {
       run_task(task, patience);
     }
-  } while (!list.alone && shared.tasks_done < list.tasks.size());
+  } while (goes_on(list, patience, shared));
   ::_exit(kTaskRecordedStatus);
 }
 

@@ -123,7 +123,11 @@ bool run_some(const TaskList& list, Patience& patience, SharedState& shared) {
   ::close(life_line[0]);
   if (shared.tasks_done >= list.tasks.size()) return false;
   const bool recorded = WIFEXITED(status) && WEXITSTATUS(status) == kTaskRecordedStatus;
-  if (recorded && !overdue && shared.tasks_done > first) return true;
+  if (recorded && !overdue && shared.tasks_done > first) {
+    if (shared.last_ending == Ending::kOutOfMemory)
+      patience.note_out_of_memory(list.tasks[shared.tasks_done - 1]);
+    return true;
+  }
   const Task& task = list.tasks[shared.tasks_done];
   if (record_death(list, shared, status, overdue) == Ending::kOutOfTime) {
     patience.note_timeout(task);

@@ -1,7 +1,8 @@
 #pragma once
 
-// How long the worker waits for a task. Code that never ends would cost the whole limit in
-// every task: what has run out of time once most likely does so again.
+// How long the worker waits for a task, and how much memory it may take. Code that never ends
+// would cost the whole limit in every task: what has run out of time or memory once most likely
+// does so again.
 
 #include <algorithm>
 #include <cstdint>
@@ -12,12 +13,25 @@
 
 namespace meshgrade {
 
-/// Which families of tasks have run out of time, and what the others may take.
+/// Which tasks have run out of time or memory, and what the others may take.
 class Patience {
  public:
   void note_timeout(const Task& task) {
     if (++timeouts_[task.family] >= most_timeouts(task)) used_up_.insert(task.family);
     if (used_up_.count(task.family) != 0) endless_.insert(task.calls);
+  }
+
+  void note_out_of_memory(const Task& task) { hungry_.insert(task.calls); }
+
+  /// Whether functions that this task calls, all the same ones, have run out of memory.
+  bool is_hungry(const Task& task) const { return hungry_.count(task.calls) != 0; }
+
+  /// What a task may take of memory, of a limit in bytes: an eighth if it is hungry. What takes
+  /// gigabytes takes a second to do so, and the largest tasks need some 60 MB. 0, no limit,
+  /// stays 0.
+  std::uint64_t memory_limit(const Task& task, std::uint64_t limit) const {
+    constexpr std::uint64_t kLeast = std::uint64_t{256} << 20U;
+    return is_hungry(task) ? std::min(limit, std::max(kLeast, limit / 8)) : limit;
   }
 
   /// Whether tasks of this family are not run any more.
@@ -53,6 +67,7 @@ class Patience {
   std::map<std::uint32_t, std::uint32_t> timeouts_;  ///< by family
   std::set<std::uint32_t> used_up_;                  ///< families
   std::set<std::uint32_t> endless_;                  ///< Task::calls of those
+  std::set<std::uint32_t> hungry_;                   ///< Task::calls of what ran out of memory
 };
 
 }  // namespace meshgrade

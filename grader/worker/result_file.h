@@ -11,13 +11,16 @@
 #include <cstdint>
 #include <string>
 
+#include "grader/base/protocol.h"
+
 namespace meshgrade {
 
 /// Memory that the parent and the child see both.
 struct SharedState {
   std::atomic<std::uint64_t> result_size{0};  ///< bytes of the result file that are whole
   std::atomic<std::uint32_t> tasks_done{0};
-  std::atomic<std::int32_t> signal{0};  ///< the signal that the child caught
+  std::atomic<Ending> last_ending{Ending::kDone};  ///< of the last task that is done
+  std::atomic<std::int32_t> signal{0};             ///< the signal that the child caught
   std::atomic<std::uint32_t> stack_size{0};
   std::uint64_t stack[64] = {};  ///< where the child was when it caught it
 };

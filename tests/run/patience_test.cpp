@@ -76,5 +76,16 @@ TEST(Patience, IsLessWithTheNextFamilyOfTheSameFunctions) {
   EXPECT_TRUE(patience.is_used_up(8));
 }
 
+TEST(Patience, IsAnEighthOfTheMemoryWhereTheSameFunctionsUsedUpAllOfIt) {
+  constexpr std::uint64_t kGigabyte = std::uint64_t{1} << 30U;
+  Patience patience;
+  patience.note_out_of_memory(task_of(1, 10, 8, 1));
+  EXPECT_EQ(patience.memory_limit(task_of(1, 10, 7, 1), 8 * kGigabyte), kGigabyte);
+  EXPECT_EQ(patience.memory_limit(task_of(1, 10, 7, 1), kGigabyte), kGigabyte / 4);
+  EXPECT_EQ(patience.memory_limit(task_of(1, 10, 7, 1), kGigabyte / 8), kGigabyte / 8);
+  EXPECT_EQ(patience.memory_limit(task_of(1, 10, 7, 1), 0), 0U);
+  EXPECT_EQ(patience.memory_limit(task_of(1, 10, 7, 2), kGigabyte), kGigabyte);
+}
+
 }  // namespace
 }  // namespace meshgrade

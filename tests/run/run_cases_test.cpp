@@ -173,6 +173,24 @@ TEST(RunCases, HugeAllocationRunsOutOfMemory) {
                  Ending::kOutOfMemory);
 }
 
+TEST(RunCases, WhatOthersKeptIsNotTakenFromACaseAfterOneThatRanOutOfMemory) {
+  const SourceFile source = normal_file(
+      "  if (degree() == 3) std::vector<char>(std::size_t{1} << 40U);\n  keep();\n"
+      "  return {0, 0, 1};",
+      "#include <vector>\nnamespace { void keep() { static std::vector<std::vector<char>> all; "
+      "all.emplace_back(std::size_t{16} << 20U); } }");
+  const Build build = build_sources({source});
+  ASSERT_TRUE(build.files.at(0).ok) << build.files[0].messages;
+  const Case hungry = normal_case("tetrahedron.obj");
+  const Case other = normal_case("octahedron.off");
+  const auto outcomes =
+      run_cases(build, {&hungry, &other, &other, &other}, quick_limits(), Company::kTogether);
+  ASSERT_EQ(outcomes.size(), 4U);
+  EXPECT_EQ(outcomes[0].ending, Ending::kOutOfMemory);
+  for (std::size_t i = 1; i < outcomes.size(); ++i)
+    EXPECT_EQ(outcomes[i].ending, Ending::kDone) << i;
+}
+
 TEST(RunCases, OutputIsKeptInPartAndCounted) {
   const auto outcomes = run_three(harmful(
       "for (int i = 0; i < 100000; ++i) std::cout << \"noise\\033\";", "#include <iostream>"));
