@@ -5,7 +5,7 @@
 
 #include "grader/base/pattern.h"
 #include "grader/base/text.h"
-#include "grader/build/function_extents.h"
+#include "grader/submission/function_extents.h"
 #include "grader/submission/code_only.h"
 #include "grader/submission/course_files.h"
 

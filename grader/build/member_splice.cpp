@@ -7,7 +7,7 @@
 
 #include "grader/base/pattern.h"
 #include "grader/base/text.h"
-#include "grader/build/function_extents.h"
+#include "grader/submission/function_extents.h"
 #include "grader/submission/code_only.h"
 #include "grader/submission/course_files.h"
 
@@ -114,10 +114,8 @@ Words words_of(const std::string& text) {
 
 std::string own_text(const Submission& submission) {
   std::string text;
-  for (const auto* files : {&submission.sources, &submission.headers}) {
-    for (const SourceFile& file : *files)
-      text += file.text + "\n";
-  }
+  for (const SourceFile* file : own_files(submission))
+    text += file->text + "\n";
   return text;
 }
 

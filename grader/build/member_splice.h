@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "grader/build/added_members.h"
-#include "grader/build/class_members.h"
+#include "grader/submission/class_members.h"
 #include "grader/submission/submission.h"
 
 namespace meshgrade {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "grader/build/file_scope.h"
-#include "grader/build/function_extents.h"
+#include "grader/submission/function_extents.h"
 
 namespace meshgrade {
 namespace {

@@ -34,9 +34,11 @@ std::string read_reference(const std::filesystem::path& file) {
 std::optional<Submission> with_stand_ins(Submission submission, const Home& home,
                                          const std::vector<StandIn>& stand_ins) {
   if (home.reference.empty()) return std::nullopt;
-  for (SourceFile& source : submission.sources) {
-    for (const StandIn& stand_in : stand_ins)
-      source.text = without(stand_in.functions, source.name, std::move(source.text));
+  for (auto* files : {&submission.sources, &submission.headers}) {
+    for (SourceFile& file : *files) {
+      for (const StandIn& stand_in : stand_ins)
+        file.text = without(stand_in.functions, file.name, std::move(file.text));
+    }
   }
   // At the end, so that they go when there are two definitions, and not the student's file.
   for (const StandIn& stand_in : stand_ins) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "grader/base/text.h"
-#include "grader/build/function_extents.h"
+#include "grader/submission/function_extents.h"
 #include "grader/judge/findings.h"
 #include "grader/submission/code_only.h"
 
@@ -34,10 +34,8 @@ struct Located {
 class Functions {
  public:
   explicit Functions(const Submission& submission) {
-    for (const auto* files : {&submission.sources, &submission.headers}) {
-      for (const SourceFile& file : *files)
-        add(file);
-    }
+    for (const SourceFile* file : own_files(submission))
+      add(*file);
   }
 
   std::string at(const std::string& file, int line) const {

@@ -83,16 +83,16 @@ void note_handle_references(const Submission& submission,
                             const std::vector<std::string>& functions,
                             JudgedExercise& exercise) {
   if (!has_many_wrong_pointers(exercise)) return;
-  for (const SourceFile& source : submission.sources) {
+  for (const SourceFile* file : own_files(submission)) {
     const bool is_its_file =
         std::any_of(functions.begin(), functions.end(), [&](const std::string& function) {
-          return source.text.find(function) != std::string::npos;
+          return file->text.find(function) != std::string::npos;
         });
     const std::string reference =
-        is_its_file ? find_handle_reference(source.text) : std::string();
+        is_its_file ? find_handle_reference(file->text) : std::string();
     if (reference.empty()) continue;
     exercise.notes.push_back(
-        source.name + ", " + reference +
+        file->name + ", " + reference +
         ": with the & this is the mesh's own pointer under another name, and changes when that "
         "pointer is set; without the & it keeps its value");
     return;

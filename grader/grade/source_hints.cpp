@@ -94,9 +94,9 @@ int find_free_function(const std::string& source, const std::string& name) {
 void tell_apart_by_source(const Submission& submission,
                           const std::vector<std::string>& functions, JudgedExercise& exercise) {
   bool divides = false;
-  for (const SourceFile& source : submission.sources) {
+  for (const SourceFile* file : own_files(submission)) {
     divides =
-        divides || (holds_any(source.text, functions) && divides_whole_numbers(source.text));
+        divides || (holds_any(file->text, functions) && divides_whole_numbers(file->text));
   }
   for (JudgedCase& c : exercise.cases) {
     for (Finding& finding : c.judgement.findings)
@@ -106,13 +106,13 @@ void tell_apart_by_source(const Submission& submission,
 
 void name_static_variable(const Submission& submission,
                           const std::vector<std::string>& functions, JudgedExercise& exercise) {
-  for (const SourceFile& source : submission.sources) {
-    if (!holds_any(source.text, functions)) continue;
-    const std::string variable = find_static_variable(source.text);
+  for (const SourceFile* file : own_files(submission)) {
+    if (!holds_any(file->text, functions)) continue;
+    const std::string variable = find_static_variable(file->text);
     if (variable.empty()) continue;
     for (JudgedCase& c : exercise.cases) {
       if (c.judgement.passes_alone)
-        c.judgement.note += ". Look at " + source.name + ", " + variable;
+        c.judgement.note += ". Look at " + file->name + ", " + variable;
     }
     return;
   }
@@ -127,11 +127,11 @@ void name_free_function(const Submission& submission, const std::vector<std::str
   for (const std::string& function : functions) {
     if (judgement.note.find(function) == std::string::npos) continue;
     const std::string name = function.substr(function.rfind(':') + 1);
-    for (const SourceFile& source : submission.sources) {
-      if (source.text.find(function) != std::string::npos) continue;
-      const int line = find_free_function(source.text, name);
+    for (const SourceFile* file : own_files(submission)) {
+      if (file->text.find(function) != std::string::npos) continue;
+      const int line = find_free_function(file->text, name);
       if (line == 0) continue;
-      judgement.note = source.name + ", line " + std::to_string(line) + " defines a function " +
+      judgement.note = file->name + ", line " + std::to_string(line) + " defines a function " +
                        name + " that belongs to no class: write " + function +
                        ", with its class, as in the skeleton";
       return;

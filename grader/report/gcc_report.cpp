@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "grader/base/text.h"
-#include "grader/build/function_extents.h"
+#include "grader/submission/function_extents.h"
 #include "grader/judge/judge.h"
 #include "grader/report/terminal_report.h"
 

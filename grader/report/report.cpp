@@ -23,11 +23,9 @@ std::string trim(const std::string& text) {
 class SourceLines {
  public:
   explicit SourceLines(const Submission& submission) {
-    for (const auto* list : {&submission.sources, &submission.headers}) {
-      for (const SourceFile& file : *list) {
-        lines_[file.name] = split_lines(printable(file.text));
-        texts_[file.name] = file.text;
-      }
+    for (const SourceFile* file : own_files(submission)) {
+      lines_[file->name] = split_lines(printable(file->text));
+      texts_[file->name] = file->text;
     }
   }
 

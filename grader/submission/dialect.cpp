@@ -7,6 +7,7 @@
 #include "grader/base/text.h"
 #include "grader/submission/code_only.h"
 #include "grader/submission/course_files.h"
+#include "grader/submission/header_definitions.h"
 
 namespace meshgrade {
 namespace {
@@ -107,25 +108,25 @@ Files files_of(const Submission& submission) {
 
 }  // namespace
 
-Dialect recognise(const Submission& submission) {
-  Files own = files_of(submission);
-  Files course;
-  if (!is_course_homework(own)) return Dialect::kMeshedit;
-  take_course_files(own, course);
-  return year_of(own);
-}
-
 void settle_dialect(Submission& submission) {
-  submission.dialect = recognise(submission);
-  if (submission.dialect == Dialect::kMeshedit) return;
+  submission.dialect = Dialect::kMeshedit;
+  if (!is_course_homework(files_of(submission))) return;
+  take_course_files(submission.sources, submission.course_sources);
+  take_course_files(submission.headers, submission.course_headers);
+  const Files moved = sources_from_headers(submission.course_headers, files_of(submission));
+  submission.sources.insert(submission.sources.end(), moved.begin(), moved.end());
+  submission.dialect = year_of(files_of(submission));
   submission.notes.push_back(
       std::string("recognised: homework for Berkeley's skeleton (namespace CGL), ") +
       describe(submission.dialect));
-  take_course_files(submission.sources, submission.course_sources);
-  take_course_files(submission.headers, submission.course_headers);
   note_left_out(submission, submission.course_sources, "the course's own program");
   note_left_out(submission, submission.course_headers,
                 "the grader has its own in place of the course's headers");
+  for (const SourceFile& source : moved) {
+    submission.notes.push_back("functions that are graded stand in " +
+                               source.name.substr(0, source.name.rfind('.')) +
+                               ": they are taken over as " + source.name + ", line by line");
+  }
 }
 
 }  // namespace meshgrade

@@ -267,6 +267,15 @@ bool is_header_name(const fs::path& file) {
   return has_ending(file, {".h", ".hpp", ".hh"});
 }
 
+std::vector<const SourceFile*> own_files(const Submission& submission) {
+  std::vector<const SourceFile*> files;
+  for (const auto* list : {&submission.sources, &submission.headers}) {
+    for (const SourceFile& file : *list)
+      files.push_back(&file);
+  }
+  return files;
+}
+
 Submission find_submission(const fs::path& path, const SubmissionRules& rules) {
   std::error_code error;
   if (!fs::exists(fs::status(path, error))) {

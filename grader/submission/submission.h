@@ -35,6 +35,10 @@ struct Submission {
   std::vector<std::string> notes;          ///< what was recognised; what was left out, and why
 };
 
+/// The student's own files, which live as long as the submission: the sources, then the
+/// headers.
+std::vector<const SourceFile*> own_files(const Submission& submission);
+
 /// Whether a file of this name is a C++ source file: .cpp, .cc, .cxx.
 bool is_source_name(const std::filesystem::path& file);
 /// Whether it is a header: .h, .hpp, .hh.

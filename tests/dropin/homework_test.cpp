@@ -10,10 +10,12 @@
 #include <string>
 
 #include "grader/base/process.h"
+#include "grader/base/safe_file.h"
 #include "grader/commands/context.h"
 #include "grader/grade/grading.h"
 #include "grader/report/json_report.h"
 #include "grader/report/terminal_report.h"
+#include "grader/submission/function_extents.h"
 #include "tests/dropin/course_project.h"
 
 namespace meshgrade {
@@ -82,6 +84,26 @@ std::string folder_name(const testing::TestParamInfo<std::string>& tested) {
   return tested.param;
 }
 
+/// Cuts a member function out of a homework's file and puts it into its class, in the course's
+/// own header.
+void move_into_header(const std::filesystem::path& folder, const std::string& class_name,
+                      const std::string& function, const std::string& header) {
+  const std::string name = class_name + "::" + function;
+  SourceFile file{"student_code.cpp", read_whole_file(folder / "student_code.cpp")};
+  for (const FunctionExtent& found : find_functions(file.text)) {
+    if (found.name != name) continue;
+    std::string text = file.text.substr(found.begin, found.end - found.begin);
+    text.replace(text.find(name), name.size(), function);
+    write_file_safely(folder / header,
+                      "#pragma once\n#include <vector>\nusing namespace std;\n"
+                      "namespace CGL {\nclass " +
+                          class_name + " {\n public:\n  " + text + "\n};\n}\n");
+    file.text.erase(found.begin, found.end - found.begin);
+    return write_file_safely(folder / file.name, file.text);
+  }
+  ADD_FAILURE() << "the homework does not define " << name;
+}
+
 class RightHomework : public testing::TestWithParam<std::string> {};
 
 TEST_P(RightHomework, GetsEveryPoint) {
@@ -95,6 +117,25 @@ INSTANTIATE_TEST_SUITE_P(Years, RightHomework,
                          testing::Values("of_2017", "of_2019", "since_2020", "whole_project",
                                          "added_members"),
                          folder_name);
+
+class CourseHeaders : public testing::TestWithParam<std::string> {};
+
+TEST_P(CourseHeaders, MayHoldGradedFunctions) {
+  const ScratchFolder folder;
+  for (const auto& file : std::filesystem::directory_iterator(kHomework / GetParam()))
+    std::filesystem::copy(file.path(), folder.path());
+  move_into_header(folder.path(), "Vertex", "normal", "halfEdgeMesh.h");
+  move_into_header(folder.path(), "BezierPatch", "evaluate", "bezierPatch.h");
+  const Submission submission = find_submission(folder.path(), SubmissionRules());
+  EXPECT_EQ(submission.dialect, hand_in(GetParam()).dialect);
+  const Report report = grade_all(submission);
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_TRUE(has_note(report, "graded stand in halfEdgeMesh.h"));
+  EXPECT_TRUE(has_note(report, "graded stand in bezierPatch.h"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Years, CourseHeaders,
+                         testing::Values("of_2017", "of_2019", "since_2020"), folder_name);
 
 TEST(Homework, BoundarySplitsEarnTheExtraCredit) {
   const Report report = grade_all(hand_in("of_2019"));

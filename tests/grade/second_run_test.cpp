@@ -249,6 +249,14 @@ TEST_F(SecondRun, TakesBothFunctionsOutOfOneFile) {
   EXPECT_THAT(report.stand_ins, ElementsAre("edge_flip", "edge_split"));
 }
 
+TEST_F(SecondRun, TakesAFunctionOutOfAHeader) {
+  const SourceFile including{"edge_split.cpp", "#include \"split.h\"\n"};
+  const SourceFile header{"split.h", "#pragma once\n" + broken_split().text};
+  const ExerciseReport report = loop_of(files(flip_, including, loop_), {header});
+  EXPECT_EQ(report.verdict, Verdict::kPassed);
+  EXPECT_THAT(report.stand_ins, ElementsAre("edge_split"));
+}
+
 /// A split that leaves boundary edges as they are.
 SourceFile refusing(SourceFile split) {
   const std::string start = "const HalfedgeIter h = e0->halfedge();";

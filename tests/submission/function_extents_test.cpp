@@ -1,4 +1,4 @@
-#include "grader/build/function_extents.h"
+#include "grader/submission/function_extents.h"
 
 #include <gtest/gtest.h>
 

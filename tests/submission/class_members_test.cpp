@@ -1,4 +1,4 @@
-#include "grader/build/class_members.h"
+#include "grader/submission/class_members.h"
 
 #include <gtest/gtest.h>
 
