@@ -43,7 +43,7 @@ install(DIRECTORY include docs meshes reference student_skeleton DESTINATION "${
         COMPONENT home)
 install(FILES LICENSE README.md HANDOUT.md CHANGELOG.md DESTINATION "${share}" COMPONENT home)
 install(FILES viewer/dist/viewer.html DESTINATION "${share}/viewer/dist" COMPONENT home)
-install(FILES grader/assignment.toml DESTINATION "${share}/grader" COMPONENT home)
+install(FILES grader/assignment.toml grader/polygon_meshes.toml DESTINATION "${share}/grader" COMPONENT home)
 # For the packages that the program writes: handouts and autograders.
 install(DIRECTORY grader/package/hosts DESTINATION "${share}/grader/package" COMPONENT home
         USE_SOURCE_PERMISSIONS)

@@ -9,6 +9,7 @@
 #include "grader/assignment/late_rule.h"
 #include "grader/assignment/toml_section.h"
 #include "grader/base/errors.h"
+#include "grader/base/text.h"
 
 namespace meshgrade {
 namespace {
@@ -177,11 +178,18 @@ ExerciseRubric read_exercise(TomlSection& section, const Assignment& assignment)
   return exercise;
 }
 
+bool is_plain_name(const std::string& name) {
+  return std::all_of(name.begin(), name.end(), is_word_character);
+}
+
 Assignment read_table(const toml::table& table, const std::string& name) {
   TomlSection root(table, name, "");
   Assignment assignment;
   if (root.require<std::int64_t>("version") != 1) root.fail_at("version", "must be 1");
   assignment.title = root.require<std::string>("title");
+  assignment.folder = root.get<std::string>("folder", "");
+  if (!is_plain_name(assignment.folder))
+    root.fail_at("folder", "must be a name of letters, digits and _");
   const auto seed = root.require<std::int64_t>("seed");
   if (seed < 0) root.fail_at("seed", "must not be negative");
   assignment.seed = static_cast<std::uint64_t>(seed);

@@ -101,6 +101,8 @@ struct HiddenCases {
 /// What is asked and what it is worth.
 struct Assignment {
   std::string title;
+  /// Of its files in reference, student_skeleton and docs/exercises; empty: at their top.
+  std::string folder;
   std::uint64_t seed = 0;  ///< draws the random cases
   double tolerance = 0.0;  ///< of positions, relative to the size of the mesh
   Limits limits;

@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "grader/base/errors.h"
+#include "grader/cases/local_operation_cases.h"
 #include "grader/cases/mesh_shapes.h"
 #include "grader/cases/own_meshes.h"
 #include "grader/files/bezier_file.h"
 #include "grader/files/mesh_file.h"
+#include "grader/operations/local_operation_list.h"
 
 namespace meshgrade {
 
@@ -36,12 +38,14 @@ const std::map<std::string, Makers>& all_makers() {
 }
 
 /// @throws UserError if there is no such exercise
-const Makers& makers_of(const ExerciseRubric& rubric) {
+void make_all(const ExerciseRubric& rubric, CaseMaker& maker) {
+  if (const LocalOperation* operation = find_local_operation(rubric.name))
+    return make_local_operation_cases(maker, *operation);
   const auto found = all_makers().find(rubric.name);
   if (found == all_makers().end()) {
     throw UserError(rubric.place + ": there is no exercise \"" + rubric.name + "\"");
   }
-  return found->second;
+  found->second.cases(maker);
 }
 
 std::vector<Case> make_with_seed(std::uint64_t seed, Assignment assignment,
@@ -49,7 +53,7 @@ std::vector<Case> make_with_seed(std::uint64_t seed, Assignment assignment,
                                  const std::filesystem::path& meshes) {
   assignment.seed = seed;
   CaseMaker cases(assignment, rubric, meshes);
-  makers_of(rubric).cases(cases);
+  make_all(rubric, cases);
   add_own_meshes(cases, rubric, false);
   return cases.take();
 }
@@ -140,7 +144,8 @@ std::vector<Case> make_cases(const Assignment& assignment, const ExerciseRubric&
 std::vector<Case> make_smaller_cases(const Assignment& assignment, const ExerciseRubric& rubric,
                                      const std::filesystem::path& meshes, const Case& failed) {
   CaseMaker cases(assignment, rubric, meshes);
-  makers_of(rubric).smaller(cases, failed);
+  const auto found = all_makers().find(rubric.name);
+  if (found != all_makers().end()) found->second.smaller(cases, failed);
   std::vector<Case> smaller = cases.take();
   for (Case& c : smaller) {
     c.number = failed.number;

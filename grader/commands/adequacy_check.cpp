@@ -25,8 +25,8 @@ constexpr std::uint32_t kMemoryMegabytes = 1024;
 /// A smaller sample is for trying things out.
 constexpr std::size_t kMutantsOfAPage = 600;
 
-Assignment strict_assignment() {
-  Assignment assignment = read_assignment(standard_assignment());
+Assignment strict_assignment(const std::string& name) {
+  Assignment assignment = load_assignment(name);
   assignment.limits.case_cpu_ms = kCaseMilliseconds;
   assignment.limits.memory_mb = kMemoryMegabytes;
   return assignment;
@@ -36,7 +36,9 @@ std::vector<Original> find_originals(const Assignment& assignment,
                                      const std::vector<std::string>& wanted) {
   const std::filesystem::path source = source_folder();
   std::vector<Original> originals{
-      {"reference", find_submission(source / "reference", assignment.submission)}};
+      {"reference",
+       find_submission(source / "reference" / assignment.folder, assignment.submission)}};
+  if (!assignment.folder.empty()) return originals;
   for (const char* style : {"textbook", "singles", "turned", "arrays", "floats"}) {
     originals.push_back(
         {style, find_submission(source / "tests" / "mutants" / style, assignment.submission)});
@@ -78,7 +80,7 @@ Pipeline pipeline_of(const Assignment& assignment, const Home& home) {
 }
 
 std::vector<KnownMistake> grade_mistakes(unsigned jobs) {
-  const Assignment assignment = strict_assignment();
+  const Assignment assignment = strict_assignment("");
   const Home home = home_for_many();
   const std::filesystem::path source = source_folder();
   const Submission reference = find_submission(source / "reference", assignment.submission);
@@ -106,13 +108,13 @@ int write_known_mistakes(unsigned jobs) {
 
 Adequacy measure_standard_adequacy(const AdequacyOptions& options,
                                    const JobProgress& progress) {
-  const Assignment assignment = strict_assignment();
+  const Assignment assignment = strict_assignment(options.assignment);
   if (!options.exercise.empty() && assignment.find(options.exercise) == nullptr) {
     throw UserError("\"" + options.exercise + "\" is no exercise of the assignment");
   }
   const Home home = home_for_many();
-  const SurvivorList reviewed =
-      read_survivor_list(source_folder() / "tests" / "mutants" / "survivors.toml");
+  const SurvivorList reviewed = read_survivor_list(source_folder() / "tests" / "mutants" /
+                                                   assignment.folder / "survivors.toml");
   return measure_adequacy(assignment, find_originals(assignment, options.styles), reviewed,
                           options, pipeline_of(assignment, home), progress);
 }
@@ -120,8 +122,8 @@ Adequacy measure_standard_adequacy(const AdequacyOptions& options,
 int check_adequacy(const AdequacyOptions& options, const std::string& page) {
   const Adequacy adequacy = measure_standard_adequacy(options, show_progress);
   std::cout << to_summary(adequacy);
-  const bool tells_enough =
-      (options.mutants == 0 || options.mutants >= kMutantsOfAPage) && options.exercise.empty();
+  const bool tells_enough = (options.mutants == 0 || options.mutants >= kMutantsOfAPage) &&
+                            options.exercise.empty() && options.assignment.empty();
   if (tells_enough || !page.empty()) {
     const std::filesystem::path file =
         page.empty() ? adequacy_page() : std::filesystem::path(page);

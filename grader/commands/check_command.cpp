@@ -77,7 +77,7 @@ std::string text_for_people(const Report& report, const CheckOptions& options) {
 }
 
 int check(const CheckOptions& options) {
-  const Assignment assignment = load_assignment(options.assignment);
+  const Assignment assignment = load_assignment_of(options.assignment, options.submission);
   const Submission submission = find_submission(options.submission, assignment.submission);
   check_named_files(options, submission);
   const auto times = options.timing ? std::make_shared<StageTimes>() : nullptr;

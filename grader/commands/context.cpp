@@ -2,17 +2,22 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "grader/base/errors.h"
+#include "grader/base/text.h"
 #include "grader/cases/own_meshes.h"
 #include "grader/commands/installed_home.h"
 #include "grader/commands/kept_work.h"
 #include "grader/judge/judge.h"
 #include "grader/sandbox/system_paths.h"
+#include "grader/submission/function_extents.h"
+#include "grader/submission/submission.h"
 
 namespace meshgrade {
 
@@ -118,7 +123,27 @@ std::filesystem::path standard_assignment() {
 }
 
 std::filesystem::path or_standard_assignment(const std::string& file) {
-  return file.empty() ? standard_assignment() : std::filesystem::path(file);
+  if (file.empty()) return standard_assignment();
+  std::error_code error;
+  if (fs::exists(file, error) || fs::path(file).has_extension() ||
+      fs::path(file).has_parent_path()) {
+    return file;
+  }
+  const fs::path named = source_folder() / "grader" / (file + ".toml");
+  if (fs::exists(named, error)) return named;
+  throw UserError("there is no assignment \"" + file + "\": name a file (TOML), or " +
+                  join(named_assignments(), " or "));
+}
+
+std::vector<std::string> named_assignments() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(source_folder() / "grader")) {
+    const fs::path& file = entry.path();
+    if (file.extension() == ".toml" && file != standard_assignment())
+      names.push_back(file.stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 Assignment load_assignment(const std::string& file) {
@@ -126,6 +151,46 @@ Assignment load_assignment(const std::string& file) {
   for (const ExerciseRubric& rubric : assignment.exercises)
     find_exercise_judge(rubric);
   check_own_meshes(assignment);
+  return assignment;
+}
+
+namespace {
+
+/// The functions that the files of a submission define; none where it cannot be read, which is
+/// told where it is read to be graded.
+std::set<std::string> functions_of(const fs::path& submission) {
+  std::set<std::string> functions;
+  try {
+    const Submission found = find_submission(submission, SubmissionRules());
+    for (const SourceFile* file : own_files(found)) {
+      for (const FunctionExtent& function : find_functions(file->text))
+        functions.insert(function.name);
+    }
+  } catch (const UserError&) {
+  }
+  return functions;
+}
+
+bool is_about(const Assignment& assignment, const std::set<std::string>& defined) {
+  for (const ExerciseRubric& rubric : assignment.exercises) {
+    for (const std::string& function : find_exercise_judge(rubric).functions) {
+      if (defined.count(function) != 0) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Assignment load_assignment_of(const std::string& file, const fs::path& submission) {
+  Assignment assignment = load_assignment(file);
+  if (!file.empty()) return assignment;
+  const std::set<std::string> defined = functions_of(submission);
+  if (defined.empty() || is_about(assignment, defined)) return assignment;
+  for (const std::string& name : named_assignments()) {
+    Assignment other = load_assignment(name);
+    if (is_about(other, defined)) return other;
+  }
   return assignment;
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "grader/assignment/assignment.h"
 #include "grader/build/home.h"
@@ -36,13 +37,21 @@ std::string viewer_page();
 /// The assignment that is taken when none is named.
 std::filesystem::path standard_assignment();
 
-/// The file that was named, or the standard assignment.
+/// The file that was named, or that of an assignment of this name, or the standard assignment.
+/// @throws UserError if a bare name is that of no file and no assignment
 std::filesystem::path or_standard_assignment(const std::string& file);
+
+/// The assignments that come along besides the standard one, by their names.
+std::vector<std::string> named_assignments();
 
 /// The file that was named, or the standard assignment, read. Its exercises and their options
 /// exist, and its meshes suit them.
 /// @throws UserError that names the file, the line and the key
 Assignment load_assignment(const std::string& file);
+
+/// The same; where none is named, that of which the submission defines a function, if it defines
+/// none of the standard one.
+Assignment load_assignment_of(const std::string& file, const std::filesystem::path& submission);
 
 /// What counts must not be graded without the cases that it is to be graded by.
 /// @throws UserError if the assignment has hidden cases whose seed or mesh is not there

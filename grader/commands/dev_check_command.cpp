@@ -11,10 +11,13 @@
 #include "grader/commands/adequacy_check.h"
 #include "grader/commands/context.h"
 #include "grader/grade/grading.h"
+#include "grader/operations/local_operation_list.h"
 #include "grader/submission/skeleton_cutter.h"
 
 namespace meshgrade {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Counts what does not agree, and says it.
 class Complaints {
@@ -37,24 +40,24 @@ const SourceFile* find_file(const Submission& submission, const std::string& nam
 }
 
 void compare_skeleton(const Submission& reference, const Submission& skeleton,
-                      Complaints& complaints) {
+                      const fs::path& folder, Complaints& complaints) {
   for (const SourceFile& file : reference.sources) {
     const SourceFile* stub = find_file(skeleton, file.name);
     if (stub == nullptr) {
-      complaints.add("student_skeleton/" + file.name + " is missing");
+      complaints.add((folder / file.name).string() + " is missing");
     } else if (stub->text != cut_solution(file.text, file.name)) {
-      complaints.add("student_skeleton/" + file.name +
+      complaints.add((folder / file.name).string() +
                      " is not the reference without its solution; dev-check --write mends it");
     }
   }
   for (const SourceFile& file : skeleton.sources) {
     if (find_file(reference, file.name) == nullptr) {
-      complaints.add("student_skeleton/" + file.name + " has no counterpart in reference/");
+      complaints.add((folder / file.name).string() + " has no counterpart in reference/");
     }
   }
 }
 
-void write_skeleton(const Submission& reference, const std::filesystem::path& folder) {
+void write_skeleton(const Submission& reference, const fs::path& folder) {
   for (const SourceFile& file : reference.sources) {
     write_file_safely(folder / file.name, cut_solution(file.text, file.name));
   }
@@ -83,37 +86,52 @@ void require_stubs(const Report& report, Complaints& complaints) {
   }
 }
 
-/// Every exercise has its file in every room.
-void require_files(const Assignment& assignment, const std::filesystem::path& source,
+/// Every exercise has its file in every room. What is about one operation is data: cases and
+/// judge are made from its file in grader/operations.
+void require_files(const Assignment& assignment, const fs::path& source,
                    Complaints& complaints) {
   for (const ExerciseRubric& exercise : assignment.exercises) {
-    for (const std::string& file :
-         {"reference/" + exercise.name + ".cpp", "docs/exercises/" + exercise.name + ".md",
-          "grader/cases/exercises/" + exercise.name + ".cpp",
-          "grader/worker/exercises/" + exercise.name + ".cpp",
-          "grader/judge/exercises/" + exercise.name + ".cpp"}) {
-      if (!std::filesystem::exists(source / file)) complaints.add(file + " is missing");
+    const std::string file = (fs::path(assignment.folder) / exercise.name).string();
+    std::vector<std::string> files{"reference/" + file + ".cpp",
+                                   "docs/exercises/" + file + ".md",
+                                   "grader/worker/exercises/" + file + ".cpp"};
+    if (find_local_operation(exercise.name) != nullptr) {
+      files.push_back("grader/operations/" + file + ".cpp");
+    } else {
+      files.push_back("grader/cases/exercises/" + file + ".cpp");
+      files.push_back("grader/judge/exercises/" + file + ".cpp");
+    }
+    for (const std::string& needed : files) {
+      if (!fs::exists(source / needed)) complaints.add(needed + " is missing");
     }
   }
 }
 
-int dev_check(bool write) {
-  const std::filesystem::path source = source_folder();
-  const Assignment assignment = read_assignment(standard_assignment());
-  const Submission reference = find_submission(source / "reference", assignment.submission);
-  if (write) write_skeleton(reference, source / "student_skeleton");
-  const Submission skeleton =
-      find_submission(source / "student_skeleton", assignment.submission);
+void check_assignment(const Assignment& assignment, bool write, Complaints& complaints) {
+  const fs::path source = source_folder();
+  const fs::path solutions = source / "reference" / assignment.folder;
+  const fs::path stubs = source / "student_skeleton" / assignment.folder;
+  const Submission reference = find_submission(solutions, assignment.submission);
+  if (write) write_skeleton(reference, stubs);
+  const Submission skeleton = find_submission(stubs, assignment.submission);
   const Progress silent = [](const std::string&) {};
-  Complaints complaints;
+  std::cout << assignment.title << "\n";
   std::cout << "every exercise has its files\n";
   require_files(assignment, source, complaints);
   std::cout << "the skeleton is the reference without its solutions\n";
-  compare_skeleton(reference, skeleton, complaints);
+  compare_skeleton(reference, skeleton, fs::path("student_skeleton") / assignment.folder,
+                   complaints);
   std::cout << "the reference gets every point\n";
   require_full_points(grade(assignment, reference, find_home(), {}, silent), complaints);
   std::cout << "every stub is \"not implemented\"\n";
   require_stubs(grade(assignment, skeleton, find_home(), {}, silent), complaints);
+}
+
+int dev_check(bool write) {
+  Complaints complaints;
+  check_assignment(load_assignment(""), write, complaints);
+  for (const std::string& name : named_assignments())
+    check_assignment(load_assignment(name), write, complaints);
   std::cout << (complaints.count() == 0 ? "all is well\n"
                                         : plural(complaints.count(), "complaint") + "\n");
   return complaints.count() == 0 ? 0 : 1;
@@ -140,6 +158,10 @@ void add_mutant_options(CLI::App* command, Options& options) {
                    "How many right variants are drawn (240)")
       ->needs(mutants);
   command->add_option("--seed", options.adequacy.seed, "What all that is drawn depends on")
+      ->needs(mutants);
+  command
+      ->add_option("--assignment", options.adequacy.assignment,
+                   "Mutants of another assignment than the standard one")
       ->needs(mutants);
   command->add_option("--only", options.adequacy.exercise, "Only mutants of this exercise")
       ->needs(mutants);

@@ -41,8 +41,19 @@ std::string without_indent(const std::string& line) {
   return line.substr(std::min(line.find_first_not_of(' '), line.size()));
 }
 
-std::vector<std::string> read_hints(const std::string& exercise) {
-  const fs::path page = find_home().docs / "exercises" / (exercise + ".md");
+/// The assignment that has the exercise; the standard one if none has.
+Assignment assignment_with(const std::string& exercise) {
+  const Assignment standard = read_assignment(standard_assignment());
+  if (standard.find(exercise) != nullptr) return standard;
+  for (const std::string& name : named_assignments()) {
+    Assignment other = load_assignment(name);
+    if (other.find(exercise) != nullptr) return other;
+  }
+  return standard;
+}
+
+std::vector<std::string> read_hints(const Assignment& assignment, const std::string& exercise) {
+  const fs::path page = find_home().docs / "exercises" / assignment.folder / (exercise + ".md");
   std::ifstream stream(page);
   std::ostringstream text;
   text << stream.rdbuf();
@@ -75,7 +86,7 @@ std::size_t print_next(const HintOptions& options, const std::vector<std::string
   if (shown == hints.size()) {
     std::cout << "there are no more hints for " << options.exercise
               << ": --again shows the last one, --all shows all of them, and "
-              << "docs/exercises/" << options.exercise << ".md explains more\n";
+              << "its page in docs/exercises explains more\n";
     return shown;
   }
   print_hint(options, hints, shown + 1);
@@ -83,9 +94,9 @@ std::size_t print_next(const HintOptions& options, const std::vector<std::string
 }
 
 int hint(const HintOptions& options) {
-  const Assignment assignment = read_assignment(standard_assignment());
+  const Assignment assignment = assignment_with(options.exercise);
   choose_exercises(assignment, {options.exercise});
-  const std::vector<std::string> hints = read_hints(options.exercise);
+  const std::vector<std::string> hints = read_hints(assignment, options.exercise);
   const ProgressStore store = personal_store();
   SubmissionProgress progress = store.load(choose_submission(options.submission, store));
   std::uint32_t& kept = progress.exercises[options.exercise].hints;

@@ -44,9 +44,9 @@ struct Replay {
 
 Replay prepare(const ReplayOptions& options) {
   Replay replay;
-  replay.assignment = load_assignment(options.assignment);
-  replay.submission = find_submission(given_or_last(options.submission, personal_store()),
-                                      replay.assignment.submission);
+  const std::filesystem::path submission = given_or_last(options.submission, personal_store());
+  replay.assignment = load_assignment_of(options.assignment, submission);
+  replay.submission = find_submission(submission, replay.assignment.submission);
   replay.assignment = fit_to_dialect(replay.assignment, replay.submission.dialect);
   replay.home = find_home({!options.no_cache});
   replay.asked = find_case(replay.assignment, replay.home.meshes, options.case_id);

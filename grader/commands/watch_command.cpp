@@ -94,7 +94,7 @@ class Watch {
  public:
   explicit Watch(const GradingOptions& options)
       : options_(options),
-        assignment_(load_assignment(options.assignment)),
+        assignment_(load_assignment_of(options.assignment, options.submission)),
         home_(find_home({!options.no_cache})) {
     choose_exercises(assignment_, options.exercises);  // a wrong name is told at once
     style_.color = use_color(options.color);

@@ -10,6 +10,8 @@
 #include "grader/base/wire.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/library_check.h"
+#include "grader/judge/local_operation_judge.h"
+#include "grader/operations/local_operation_list.h"
 #include "meshedit/fault.h"
 
 namespace meshgrade {
@@ -254,6 +256,20 @@ void require_all_steps(const Outcome& outcome, std::size_t asked) {
   }
 }
 
+namespace {
+
+/// Points for pointers take a judge that counts them.
+ExerciseJudge require_partial(ExerciseJudge judge, const ExerciseRubric& rubric) {
+  for (const Group& group : rubric.groups) {
+    if (group.partial != Partial::kPointers || judge.counts_pointers) continue;
+    throw UserError(group.place + ": " + rubric.name +
+                    " sets no pointers: partial can be \"none\" or \"cases\" here");
+  }
+  return judge;
+}
+
+}  // namespace
+
 ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric) {
   using MakeJudge = ExerciseJudge (*)(const ExerciseRubric&);
   static const std::map<std::string, MakeJudge> judges{
@@ -261,17 +277,13 @@ ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric) {
 #include "exercise_list.inc"
 #undef MESHGRADE_EXERCISE
   };
+  if (const LocalOperation* operation = find_local_operation(rubric.name))
+    return require_partial(local_operation_judge(rubric, *operation), rubric);
   const auto found = judges.find(rubric.name);
   if (found == judges.end()) {
     throw UserError(rubric.place + ": there is no exercise \"" + rubric.name + "\"");
   }
-  ExerciseJudge judge = found->second(rubric);
-  for (const Group& group : rubric.groups) {
-    if (group.partial != Partial::kPointers || judge.counts_pointers) continue;
-    throw UserError(group.place + ": " + rubric.name +
-                    " sets no pointers: partial can be \"none\" or \"cases\" here");
-  }
-  return judge;
+  return require_partial(found->second(rubric), rubric);
 }
 
 CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,

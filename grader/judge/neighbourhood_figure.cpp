@@ -12,19 +12,6 @@ namespace {
 using Kind = ElementKind;
 constexpr Kind kKinds[] = {Kind::kHalfedge, Kind::kVertex, Kind::kEdge, Kind::kFace};
 
-std::string element_name(Kind kind, Ref ref) {
-  switch (kind) {
-    case Kind::kHalfedge:
-      return halfedge_name(ref);
-    case Kind::kVertex:
-      return vertex_name(ref);
-    case Kind::kEdge:
-      return edge_name(ref);
-    default:
-      return face_name(ref);
-  }
-}
-
 enum class Presence { kNever, kDeleted, kLive };
 
 Presence presence(const MeshDump& mesh, Kind kind, Ref ref) {

@@ -12,8 +12,6 @@
 
 namespace meshgrade {
 
-enum class ElementKind { kHalfedge, kVertex, kEdge, kFace };
-
 /// In place of an index: not in the picture.
 constexpr std::size_t kNotPictured = SIZE_MAX;
 

@@ -50,6 +50,10 @@ inline Ref dump_handle(const meshedit::HalfedgeMesh& mesh, const meshedit::Verte
                                                 Inspector::address(v));
 }
 
+inline Ref dump_handle(const meshedit::HalfedgeMesh& mesh, const meshedit::FaceIter& f) {
+  return dump_detail::look_up_face(mesh, meshedit::detail::Inspector::address(f));
+}
+
 inline std::vector<FaceRecord> dump_faces(
     const meshedit::detail::Pool<meshedit::Face>& pool,
     const meshedit::detail::Pool<meshedit::Halfedge>& halfedges) {

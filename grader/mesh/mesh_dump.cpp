@@ -38,6 +38,34 @@ std::string face_name(Ref ref) {
   return name("b", ref & ~kBoundaryBit);
 }
 
+std::string element_name(ElementKind kind, Ref ref) {
+  switch (kind) {
+    case ElementKind::kHalfedge:
+      return halfedge_name(ref);
+    case ElementKind::kVertex:
+      return vertex_name(ref);
+    case ElementKind::kEdge:
+      return edge_name(ref);
+    case ElementKind::kFace:
+      return face_name(ref);
+  }
+  return {};
+}
+
+const char* kind_name(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::kHalfedge:
+      return "half-edge";
+    case ElementKind::kVertex:
+      return "vertex";
+    case ElementKind::kEdge:
+      return "edge";
+    case ElementKind::kFace:
+      return "face";
+  }
+  return "element";
+}
+
 const FaceRecord* find_face(const MeshDump& mesh, Ref ref) {
   if (!is_plain(ref)) return nullptr;
   const bool outside = (ref & kBoundaryBit) != 0;

@@ -71,6 +71,14 @@ std::string vertex_name(Ref ref);
 std::string edge_name(Ref ref);
 std::string face_name(Ref ref);
 
+enum class ElementKind { kHalfedge, kVertex, kEdge, kFace };
+
+/// The same for an element of any kind; a boundary loop is a face.
+std::string element_name(ElementKind kind, Ref ref);
+
+/// "half-edge", "vertex", "edge", "face"
+const char* kind_name(ElementKind kind);
+
 /// True if the number stands for an element and not for one of the special values. The element
 /// need not exist.
 constexpr bool is_plain(Ref ref) {

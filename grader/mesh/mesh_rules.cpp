@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
@@ -31,8 +32,8 @@ struct HashOfCorners {
 
 class RuleChecker {
  public:
-  explicit RuleChecker(const MeshDump& mesh)
-      : mesh_(mesh), n_(static_cast<Ref>(mesh.halfedges.size())) {}
+  RuleChecker(const MeshDump& mesh, FaceShape shape)
+      : mesh_(mesh), shape_(shape), n_(static_cast<Ref>(mesh.halfedges.size())) {}
 
   std::vector<RuleBreak> check() {
     check_live_pointers();
@@ -223,7 +224,7 @@ class RuleChecker {
                walked > limit ? "it does not, after " + times(walked, "step")
                               : "it leads to no half-edge",
                name + ".halfedge, and the .next around " + name);
-      } else if (walked != named || (named != 3 && (f & kBoundaryBit) == 0)) {
+      } else if (walked != named || !is_degree_right(f, named)) {
         report_loop(f, record.halfedge, walked, named);
       }
     };
@@ -234,13 +235,20 @@ class RuleChecker {
     }
   }
 
+  bool is_degenerate_allowed() const { return shape_ == FaceShape::kDegeneratePolygons; }
+
+  bool is_degree_right(Ref f, std::size_t degree) const {
+    if (shape_ != FaceShape::kTriangles) return degree >= 3;
+    return degree == 3 || (f & kBoundaryBit) != 0;
+  }
+
   void report_loop(Ref f, Ref start, std::size_t walked, std::size_t named) {
     const std::string name = face_name(f);
-    const bool inside = (f & kBoundaryBit) == 0;
-    report("face-loop", name,
-           inside
-               ? "walking next from " + name + ".halfedge meets the 3 half-edges of a triangle"
-               : "walking next from " + name + ".halfedge meets every half-edge of the loop",
+    const char* what = (f & kBoundaryBit) != 0           ? "every half-edge of the loop"
+                       : shape_ == FaceShape::kTriangles ? "the 3 half-edges of a triangle"
+                                                         : "every half-edge of the face, 3 at "
+                                                           "least";
+    report("face-loop", name, "walking next from " + name + ".halfedge meets " + what,
            "the walk from " + halfedge_name(start) + " meets " + times(walked, "half-edge") +
                ", and " + times(named, "half-edge") + (named == 1 ? " names " : " name ") +
                name + " as face",
@@ -338,13 +346,50 @@ class RuleChecker {
         return;
       }
       const auto [place, is_new] = edge_between.try_emplace(pair_key(a, b), r.edge);
-      if (is_new || place->second == r.edge) return;
+      if (is_new || place->second == r.edge || is_degenerate_allowed()) return;
       report("simple", edge_name(r.edge), "one edge at most between two vertices",
              edge_name(place->second) + " and " + edge_name(r.edge) + " both join " +
                  vertex_name(a) + " and " + vertex_name(b),
              "which edges were to be flipped or split");
     });
-    check_same_corners();
+    if (shape_ == FaceShape::kTriangles) {
+      check_same_corners();
+    } else {
+      check_polygons();
+    }
+  }
+
+  /// The corners of a face in ascending order; none where the walk does not come back.
+  std::vector<Ref> sorted_corners(const FaceRecord& face) const {
+    std::vector<Ref> corners;
+    Ref h = face.halfedge;
+    do {
+      if (!live_halfedge(h) || corners.size() > n_) return {};
+      corners.push_back(at(h).vertex);
+      h = at(h).next;
+    } while (h != face.halfedge);
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+
+  void check_polygons() {
+    std::map<std::vector<Ref>, Ref> face_with;
+    for (Ref f = 0; f < mesh_.faces.size(); ++f) {
+      if (mesh_.faces[f].live == 0) continue;
+      const std::vector<Ref> corners = sorted_corners(mesh_.faces[f]);
+      if (corners.empty()) continue;
+      const auto twice = std::adjacent_find(corners.begin(), corners.end());
+      const auto [place, is_new] = face_with.try_emplace(corners, f);
+      const std::string look_at = "the .vertex of the half-edges around " + face_name(f);
+      if (twice != corners.end()) {
+        report("simple", face_name(f), "a face visits each of its corners once",
+               face_name(f) + " visits " + vertex_name(*twice) + " more than once", look_at);
+      } else if (!is_new && !is_degenerate_allowed()) {
+        report("simple", face_name(f), "no two faces with the same corners",
+               face_name(place->second) + " and " + face_name(f) + " have the same corners",
+               look_at);
+      }
+    }
   }
 
   void check_same_corners() {
@@ -380,6 +425,7 @@ class RuleChecker {
   }
 
   const MeshDump& mesh_;
+  const FaceShape shape_;
   const Ref n_;
   std::vector<RuleBreak> breaks_;
   std::string rule_;
@@ -416,9 +462,8 @@ const std::vector<Rule>& mesh_rules() {
        "boundary loops, and only they, are marked as boundary; none is lost, none "
        "appears"},
       {"simple",
-       "no edge joins a vertex to itself, no two edges join the same two vertices, no two "
-       "faces "
-       "have the same corners"},
+       "no edge joins a vertex to itself, no two edges join the same two vertices, no face "
+       "visits a vertex twice, no two faces have the same corners"},
       {"counts",
        "the numbers of vertices, edges, faces and half-edges are what the operation makes "
        "them"},
@@ -435,8 +480,8 @@ std::string_view rule_meaning(std::string_view name) {
   return {};
 }
 
-std::vector<RuleBreak> find_broken_rules(const MeshDump& mesh) {
-  return RuleChecker(mesh).check();
+std::vector<RuleBreak> find_broken_rules(const MeshDump& mesh, FaceShape shape) {
+  return RuleChecker(mesh, shape).check();
 }
 
 }  // namespace meshgrade

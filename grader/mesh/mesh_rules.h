@@ -33,9 +33,18 @@ struct RuleBreak {
   std::string look_at;  ///< the pointer to look at first: "h12.next"
 };
 
+/// What the faces of a surface may be.
+enum class FaceShape {
+  kTriangles,
+  kPolygons,
+  kDegeneratePolygons,  ///< two edges may join the same vertices, two faces have the same
+                        ///< corners
+};
+
 /// Checks every rule that can be checked without knowing where the mesh came from. Linear time.
 /// At most a few breaks of each rule are returned, in the order of the rules. Rules whose
 /// meaning depends on an earlier rule pass over the elements that break that one.
-std::vector<RuleBreak> find_broken_rules(const MeshDump& mesh);
+std::vector<RuleBreak> find_broken_rules(const MeshDump& mesh,
+                                         FaceShape shape = FaceShape::kTriangles);
 
 }  // namespace meshgrade

@@ -19,6 +19,7 @@ struct AdequacyOptions {
   std::size_t variants = 240;
   std::size_t repeated = 12;  ///< submissions that are graded three times
   unsigned jobs = 2;
+  std::string assignment;           ///< as or_standard_assignment() takes it
   std::string exercise;             ///< only this one; empty: all
   std::vector<std::string> styles;  ///< names of the solutions to change; empty: all
   /// Whether the solutions are run, and spoiled in one pointer each; and whether all mutants of

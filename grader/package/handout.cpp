@@ -19,7 +19,7 @@ std::vector<PackagePart> handout_parts(const std::filesystem::path& project) {
   for (const char* page :
        {"student.md", "installing.md", "rules.md", "report.md", "report.schema.json",
         "formats.md", "dropin.md", "assignment.md", "exercises", "viewer.md", "loop_rules.md",
-        "lopsided_cube.md", "pictures", "writeup", "writeup_rubric.toml"}) {
+        "lopsided_cube.md", "polygon_meshes.md", "pictures", "writeup", "writeup_rubric.toml"}) {
     const std::string path = std::string("docs/") + page;
     parts.push_back({path, path});
   }

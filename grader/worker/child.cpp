@@ -47,6 +47,9 @@ void run_exercise(const Task& task, Recorder& recorder) {
 #define MESHGRADE_EXERCISE(name) \
   if (task.exercise == #name) return run_##name(input, recorder);
 #include "exercise_list.inc"
+#define MESHGRADE_LOCAL_OPERATION(name) MESHGRADE_EXERCISE(name)
+#include "local_operation_list.inc"
+#undef MESHGRADE_LOCAL_OPERATION
 #undef MESHGRADE_EXERCISE
   if (task.exercise == kViewTask) return run_view(input, recorder);
   throw WireError("no such exercise: " + task.exercise);

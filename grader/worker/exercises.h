@@ -11,5 +11,8 @@ namespace meshgrade {
 #define MESHGRADE_EXERCISE(name) void run_##name(WireReader& input, Recorder& recorder);
 #include "exercise_list.inc"
 #undef MESHGRADE_EXERCISE
+#define MESHGRADE_LOCAL_OPERATION(name) void run_##name(WireReader& input, Recorder& recorder);
+#include "local_operation_list.inc"
+#undef MESHGRADE_LOCAL_OPERATION
 
 }  // namespace meshgrade

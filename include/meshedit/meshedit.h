@@ -9,6 +9,7 @@
 #include <iostream>
 #include <list>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -18,5 +19,6 @@
 #include "fault.h"
 #include "halfedge_mesh.h"
 #include "mesh_resampler.h"
+#include "poly_mesh.h"
 #include "vector2d.h"
 #include "vector3d.h"

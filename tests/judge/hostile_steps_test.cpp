@@ -64,7 +64,7 @@ void damage(Outcome& outcome, Random& random) {
 class HostileSteps : public testing::TestWithParam<std::string> {};
 
 TEST_P(HostileSteps, AlwaysGetAVerdict) {
-  const ExerciseRubric& rubric = *standard_rubric().find(GetParam());
+  const ExerciseRubric& rubric = rubric_of(GetParam());
   const ExerciseJudge judge = find_exercise_judge(rubric);
   Random random(9, GetParam());
   std::map<Verdict, int> verdicts;
@@ -87,7 +87,7 @@ TEST_P(HostileSteps, AlwaysGetAVerdict) {
 }
 
 TEST_P(HostileSteps, OfAnotherExerciseAreMalformed) {
-  const ExerciseRubric& rubric = *standard_rubric().find(GetParam());
+  const ExerciseRubric& rubric = rubric_of(GetParam());
   const ExerciseJudge judge = find_exercise_judge(rubric);
   const Case& c = standard_cases(GetParam())[0];
   for (const std::string& bytes :
@@ -104,7 +104,10 @@ TEST_P(HostileSteps, OfAnotherExerciseAreMalformed) {
 
 INSTANTIATE_TEST_SUITE_P(, HostileSteps,
                          testing::Values("bezier_curve", "bezier_patch", "vertex_normal",
-                                         "edge_flip", "edge_split", "loop_subdivision"),
+                                         "edge_flip", "edge_split", "loop_subdivision",
+                                         "edge_flip_polygon", "edge_split_polygon",
+                                         "edge_collapse", "edge_dissolve", "vertex_dissolve",
+                                         "vertex_inset", "face_extrude"),
                          [](const auto& parameter) { return parameter.param; });
 
 // A forged history can lead to a mesh that does not have the edge that is asked for next.

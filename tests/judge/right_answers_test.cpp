@@ -12,7 +12,7 @@ namespace {
 class RightAnswers : public testing::TestWithParam<std::string> {};
 
 TEST_P(RightAnswers, PassEveryCase) {
-  const ExerciseRubric& rubric = *standard_rubric().find(GetParam());
+  const ExerciseRubric& rubric = rubric_of(GetParam());
   const ExerciseJudge judge = find_exercise_judge(rubric);
   Conventions conventions = judge.conventions;
   for (const Case& c : standard_cases(GetParam())) {
@@ -26,7 +26,7 @@ TEST_P(RightAnswers, PassEveryCase) {
 }
 
 TEST_P(RightAnswers, WithAStepMissingAreNotBelieved) {
-  const ExerciseRubric& rubric = *standard_rubric().find(GetParam());
+  const ExerciseRubric& rubric = rubric_of(GetParam());
   const ExerciseJudge judge = find_exercise_judge(rubric);
   for (const Case& c : standard_cases(GetParam())) {
     if (c.input.size() > 100'000) continue;
@@ -42,7 +42,10 @@ TEST_P(RightAnswers, WithAStepMissingAreNotBelieved) {
 
 INSTANTIATE_TEST_SUITE_P(, RightAnswers,
                          testing::Values("bezier_curve", "bezier_patch", "vertex_normal",
-                                         "edge_flip", "edge_split", "loop_subdivision"),
+                                         "edge_flip", "edge_split", "loop_subdivision",
+                                         "edge_flip_polygon", "edge_split_polygon",
+                                         "edge_collapse", "edge_dissolve", "vertex_dissolve",
+                                         "vertex_inset", "face_extrude"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

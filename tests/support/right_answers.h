@@ -3,15 +3,19 @@
 // What a right solution leaves behind for a case, made without any half-edge code of a student
 // or of the reference: from closed forms, OpenSubdiv, and the models of flip and split.
 
+#include <algorithm>
 #include <cmath>
 
 #include "grader/base/wire.h"
 #include "grader/cases/bezier_input.h"
 #include "grader/cases/case.h"
+#include "grader/cases/local_operation_input.h"
 #include "grader/cases/mesh_input.h"
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/operation_model.h"
 #include "grader/judge/operations_judge.h"
+#include "grader/operations/local_operation_list.h"
+#include "grader/operations/picked_element.h"
 #include "grader/run/outcome.h"
 #include "grader/subdivide/opensubdiv_level.h"
 #include "tests/support/sample_meshes.h"
@@ -145,6 +149,67 @@ inline std::vector<std::string> right_patch(const PatchInput& input) {
   return steps;
 }
 
+/// A mesh of these faces whose vertices have the numbers of their labels.
+inline MeshDump dump_with_labels(const FaceLists& lists) {
+  MeshDump mesh = mesh_of(lists);
+  std::vector<Label> labels;  // in the order of mesh_of()
+  for (const Corners& corners : lists.faces) {
+    for (Label label : corners) {
+      if (std::find(labels.begin(), labels.end(), label) == labels.end())
+        labels.push_back(label);
+    }
+  }
+  std::vector<VertexRecord> vertices(lists.positions.size(), {kUnsetRef, 0, {}});
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    vertices[labels[i]] = mesh.vertices[i];
+  for (HalfedgeRecord& h : mesh.halfedges)
+    h.vertex = labels[h.vertex];
+  mesh.vertices = std::move(vertices);
+  return mesh;
+}
+
+inline Ref find_by_corners(const MeshDump& mesh, ElementKind kind, const Corners& corners) {
+  for (std::uint32_t place = 0; place < count_elements(mesh, kind); ++place) {
+    const Ref element = find_element(mesh, kind, place);
+    const Corners its = corners_of(mesh, kind, element).corners;
+    const bool same = kind == ElementKind::kEdge
+                          ? std::is_permutation(its.begin(), its.end(), corners.begin())
+                          : canonical(its) == canonical(corners);
+    if (same) return element;
+  }
+  return kUnsetRef;
+}
+
+/// Refuses whatever may be refused.
+inline std::vector<std::string> right_local_operations(const LocalOperationInput& input,
+                                                       const LocalOperation& operation) {
+  std::vector<std::string> steps;
+  MeshDump mesh = built_mesh(input.mesh, input.anchored_elsewhere != 0);
+  for (std::uint32_t place : input.places) {
+    LocalStep step;
+    step.picked = find_element(mesh, operation.picks, place);
+    const Answer answer =
+        operation.answer(face_lists_of(mesh), corners_of(mesh, operation.picks, step.picked));
+    step.refused = answer.demand == Demand::kMust ? 0 : 1;
+    if (step.refused == 0) {
+      mesh = dump_with_labels(answer.after);
+      step.returned = answer.returned.empty()
+                          ? kBoundaryBit
+                          : find_by_corners(mesh, operation.returns, answer.returned);
+    }
+    if (!answer.anchored_to.empty()) {
+      for (Ref h = 0; h < mesh.halfedges.size(); ++h) {
+        if (mesh.halfedges[h].vertex == step.returned &&
+            mesh.halfedges[mesh.halfedges[h].twin].vertex == answer.anchored_to[0])
+          mesh.vertices[step.returned].halfedge = h;
+      }
+    }
+    step.after = mesh;
+    steps.push_back(to_wire(step));
+  }
+  return steps;
+}
+
 inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarren,
                              CornerRule corner = CornerRule::kSmooth) {
   Outcome outcome;
@@ -157,6 +222,8 @@ inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarre
   }
   if (c.exercise == "edge_flip" || c.exercise == "edge_split")
     outcome.steps = right_operations(from_wire<OperationsInput>(c.input));
+  if (const LocalOperation* operation = find_local_operation(c.exercise))
+    outcome.steps = right_local_operations(from_wire<LocalOperationInput>(c.input), *operation);
   if (c.exercise == "loop_subdivision")
     outcome.steps = right_levels(from_wire<SubdivisionInput>(c.input), rule, corner);
   return outcome;

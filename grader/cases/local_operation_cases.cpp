@@ -1,0 +1,181 @@
+#include "grader/cases/local_operation_cases.h"
+
+#include <algorithm>
+
+#include "grader/base/text.h"
+#include "grader/cases/local_operation_input.h"
+#include "grader/cases/moved_meshes.h"
+#include "grader/operations/picked_element.h"
+
+namespace meshgrade {
+namespace {
+
+/// Handle uses that a good solution never needs for one operation on a small mesh.
+constexpr std::uint64_t kBudget = 20'000;
+
+const std::vector<std::string>& closed_meshes() {
+  static const std::vector<std::string> files{
+      "quad_cube.dae",  "prism_5.obj",    "pyramid_4.obj",   "dodecahedron.obj",
+      "octahedron.off", "quad_torus.obj", "bipyramid_3.obj", "pouch.obj"};
+  return files;
+}
+
+const std::vector<std::string>& open_meshes() {
+  static const std::vector<std::string> files{"mixed_strip.obj",     "quad_grid_3x3.obj",
+                                              "tube_6.obj",          "fan.obj",
+                                              "single_triangle.obj", "single_quad.obj"};
+  return files;
+}
+
+/// Whether an element touches a boundary.
+bool touches_boundary(const Surface& surface, const Picked& picked) {
+  return std::any_of(picked.corners.begin(), picked.corners.end(),
+                     [&](Label corner) { return surface.is_boundary(corner); });
+}
+
+const char* group_of(const Answer& answer, bool at_boundary) {
+  if (answer.demand != Demand::kMust) return "refused";
+  return at_boundary ? "boundary" : "basic";
+}
+
+class OperationCases {
+ public:
+  OperationCases(CaseMaker& maker, const LocalOperation& operation)
+      : maker_(maker), operation_(operation) {}
+
+  /// A case for each element of a mesh, in the group that its answer says; in `stress`, if the
+  /// anchors are others.
+  void add_every_element(const std::string& file, bool elsewhere) {
+    const PolygonMesh mesh = maker_.mesh(file);
+    const MeshDump built = built_mesh(mesh);
+    const FaceLists lists = face_lists_of(built);
+    const Surface surface(lists);
+    const std::uint32_t n = count_elements(built, operation_.picks);
+    for (std::uint32_t place = 0; place < n; ++place) {
+      const Picked picked = pick(built, operation_.picks, place);
+      const Answer answer = operation_.answer(lists, picked);
+      const char* group =
+          elsewhere ? "stress" : group_of(answer, touches_boundary(surface, picked));
+      add(group, title(picked, file) + (elsewhere ? ", each halfedge() another" : ""),
+          {file, mesh, elsewhere ? 1U : 0U, {place}}, kBudget);
+    }
+  }
+
+  /// Operations one after the other, on elements that are drawn.
+  void add_sequence(const std::string& name, const PolygonMesh& mesh, Random& random) {
+    add("stress", sequence_title(name), drawn(name, mesh, random), kLength * kBudget);
+  }
+
+  /// The same with other anchors, in a process in which nothing was called before: a function
+  /// may be wrong at its third call only.
+  void add_fresh_sequence(const std::string& name, const PolygonMesh& mesh, Random& random) {
+    LocalOperationInput input = drawn(name, mesh, random);
+    input.anchored_elsewhere = 1;
+    maker_.add_fresh("stress", sequence_title(name) + ", before anything else",
+                     kLength * kBudget, input, {operation_.function});
+  }
+
+  /// A few of the elements at vertices with more than 12 edges.
+  void add_high_valences(const std::string& name, const PolygonMesh& mesh) {
+    const MeshDump built = built_mesh(mesh);
+    const Surface surface(face_lists_of(built));
+    std::vector<std::uint32_t> places;
+    for (std::uint32_t place = 0; place < count_elements(built, operation_.picks); ++place) {
+      const Picked picked = pick(built, operation_.picks, place);
+      if (std::any_of(picked.corners.begin(), picked.corners.end(),
+                      [&](Label corner) { return surface.neighbours(corner).size() > 12; }))
+        places.push_back(place);
+    }
+    for (const std::size_t i : {std::size_t{0}, places.size() / 2, places.size() - 1})
+      add("stress", title(pick(built, operation_.picks, places[i]), name),
+          {name, mesh, 1, {places[i]}}, kBudget);
+  }
+
+  /// Far from all boundaries of a large mesh, with the budget of a small one.
+  void add_constant_work() {
+    constexpr std::uint32_t kSide = 100;
+    const PolygonMesh mesh = quad_grid(kSide, kSide);
+    const MeshDump built = built_mesh(mesh);
+    const std::uint32_t place = count_elements(built, operation_.picks) / 2 + kSide / 2;
+    add("stress", title(pick(built, operation_.picks, place), "a grid of 10,000 quads"),
+        {"a grid of 10,000 quads", mesh, 0, {place}}, kBudget / 10);
+  }
+
+ private:
+  static constexpr std::size_t kLength = 6;  ///< of sequences
+
+  std::string sequence_title(const std::string& mesh) const {
+    return operation_.verb + " " + std::to_string(kLength) + " elements of " + mesh +
+           ", one after the other";
+  }
+
+  static LocalOperationInput drawn(const std::string& name, const PolygonMesh& mesh,
+                                   Random& random) {
+    LocalOperationInput input{name, mesh, 0, {}};
+    for (std::size_t i = 0; i < kLength; ++i)
+      input.places.push_back(random.below(10'000));
+    return input;
+  }
+
+  std::string title(const Picked& picked, const std::string& mesh) const {
+    std::string element = kind_name(operation_.picks);
+    std::vector<std::string> corners;
+    for (Label corner : picked.corners)
+      corners.push_back(vertex_name(corner));
+    return operation_.verb + " the " + element + " " + join(corners, "-") + " of " + mesh;
+  }
+
+  void add(const std::string& group, const std::string& title, const LocalOperationInput& input,
+           std::uint64_t budget) {
+    maker_.add(group, title, budget, input, {operation_.function});
+  }
+
+  static PolygonMesh quad_grid(std::uint32_t columns, std::uint32_t rows) {
+    PolygonMesh mesh;
+    for (std::uint32_t y = 0; y <= rows; ++y) {
+      for (std::uint32_t x = 0; x <= columns; ++x)
+        mesh.positions.push_back({static_cast<double>(x), static_cast<double>(y), 0.0});
+    }
+    const auto at = [&](std::uint32_t x, std::uint32_t y) { return y * (columns + 1) + x; };
+    for (std::uint32_t y = 0; y < rows; ++y) {
+      for (std::uint32_t x = 0; x < columns; ++x)
+        mesh.polygons.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+    }
+    return mesh;
+  }
+
+  CaseMaker& maker_;
+  const LocalOperation& operation_;
+};
+
+}  // namespace
+
+void make_local_operation_cases(CaseMaker& maker, const LocalOperation& operation) {
+  OperationCases cases(maker, operation);
+  for (const auto* files : {&closed_meshes(), &open_meshes()}) {
+    for (const std::string& file : *files)
+      cases.add_every_element(file, false);
+  }
+  for (const char* file : {"prism_5.obj", "mixed_strip.obj", "tube_6.obj"})
+    cases.add_every_element(file, true);
+  Random random = maker.random("sequences");
+  for (const char* file : {"dodecahedron.obj", "quad_torus.obj", "quad_grid_3x3.obj",
+                           "mixed_strip.obj", "tube_6.obj", "icosahedron.obj"}) {
+    cases.add_sequence(file, maker.mesh(file), random);
+  }
+  for (const char* file : {"prism_5.obj", "tube_6.obj", "mixed_strip.obj", "quad_torus.obj",
+                           "quad_grid_3x3.obj", "dodecahedron.obj"}) {
+    for (int i = 0; i < 4; ++i)
+      cases.add_fresh_sequence(file, maker.mesh(file), random);
+  }
+  for (const char* file : {"dodecahedron.obj", "tube_6.obj", "mixed_strip.obj"}) {
+    const PolygonMesh mesh = shaken(maker.mesh(file), random);
+    for (const MovedMesh& moved : moved_meshes(mesh, {0, 1}))
+      cases.add_sequence(file + std::string(", shaken, ") + moved.how, moved.mesh, random);
+  }
+  cases.add_high_valences("double pyramids with 13 to 24 sides", many_valences(13, 24, random));
+  cases.add_high_valences("a fan of 22 triangles", open_fan(22));
+  cases.add_constant_work();
+}
+
+}  // namespace meshgrade

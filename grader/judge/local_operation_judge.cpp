@@ -1,0 +1,346 @@
+#include "grader/judge/local_operation_judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grader/base/text.h"
+#include "grader/base/wire.h"
+#include "grader/cases/local_operation_input.h"
+#include "grader/judge/face_match.h"
+#include "grader/judge/findings.h"
+#include "grader/judge/options.h"
+#include "grader/operations/local_operation_list.h"
+#include "grader/operations/picked_element.h"
+
+namespace meshgrade {
+namespace {
+
+/// How many faces are named of those that differ.
+constexpr std::size_t kMostFaces = 3;
+
+std::string first_of(std::vector<std::string> faces) {
+  const std::size_t more = faces.size() > kMostFaces ? faces.size() - kMostFaces : 0;
+  faces.resize(faces.size() - more);
+  if (more > 0) faces.push_back("and " + std::to_string(more) + " more");
+  return faces.empty() ? "no other face" : join(faces, ", ");
+}
+
+std::string counts_text(const Counts& c) {
+  return std::to_string(c.vertices) + " vertices, " + plural(c.edges, "edge") + ", " +
+         plural(c.faces, "face") + ", " + plural(c.halfedges, "half-edge") + ", " +
+         plural(c.boundaries, "boundary loop");
+}
+
+/// Judges one operation, from a mesh that keeps all rules.
+class LocalStepJudge {
+ public:
+  LocalStepJudge(const JudgeTask& task, const LocalOperation& operation, const MeshDump& before,
+                 const LocalStep& step, std::string where, CaseJudgement& judgement)
+      : task_(task),
+        operation_(operation),
+        before_(before),
+        lists_(face_lists_of(before)),
+        picked_(corners_of(before, operation.picks, step.picked)),
+        answer_(operation.answer(lists_, picked_)),
+        step_(step),
+        after_(step.after),
+        where_(std::move(where)),
+        judgement_(judgement),
+        broken_(find_broken_rules(after_, answer_.demand == Demand::kEither
+                                              ? FaceShape::kDegeneratePolygons
+                                              : FaceShape::kPolygons)) {}
+
+  void judge() {
+    if (step_.refused != 0) {
+      judge_refusal();
+    } else if (answer_.demand == Demand::kRefuse) {
+      report_not_refused();
+    } else if (is_unchanged()) {
+      report("nothing-done", "what is not refused is done", name(), done_text(),
+             "the mesh is the same as before, and " + returned_text() + " was returned",
+             "does the function return too early? To refuse, return std::nullopt");
+    } else {
+      judge_result();
+    }
+  }
+
+ private:
+  void report(std::string rule, std::string meaning, std::string element, std::string expected,
+              std::string actual, std::string look_at) {
+    judgement_.findings.push_back(make_finding(std::move(rule), std::move(meaning), where_,
+                                               std::move(element), std::move(expected),
+                                               std::move(actual), std::move(look_at)));
+  }
+
+  std::string name() const { return element_name(operation_.picks, step_.picked); }
+
+  std::string returned_text() const { return element_name(operation_.returns, step_.returned); }
+
+  std::string done_text() const {
+    return name() + " can be done: " + operation_.verb + " it, and return a " +
+           kind_name(operation_.returns);
+  }
+
+  bool keeps_counts() const { return count(after_) == count(before_); }
+
+  /// The same surface, with the same vertices in the same places.
+  bool is_unchanged() const {
+    if (!broken_.empty() || !keeps_counts() || moved_vertex() != kUnsetRef) return false;
+    Answer same = refuse(lists_, "");
+    return match_faces(same, face_lists_of(after_)).has_value();
+  }
+
+  /// The first old vertex that is still there and lies elsewhere; kUnsetRef if there is none.
+  Ref moved_vertex() const {
+    for (Ref v = 0; v < before_.vertices.size() && v < after_.vertices.size(); ++v) {
+      const VertexRecord& old = before_.vertices[v];
+      const VertexRecord& now = after_.vertices[v];
+      if (old.live != 0 && now.live != 0 && is_kept(v) && old.position != now.position)
+        return v;
+    }
+    return kUnsetRef;
+  }
+
+  /// Whether a vertex has to stay what it is.
+  bool is_kept(Ref v) const {
+    if (step_.refused != 0 || answer_.demand == Demand::kRefuse) return true;
+    return std::any_of(
+        answer_.after.faces.begin(), answer_.after.faces.end(),
+        [&](const Corners& corners) { return place_of(corners, v).has_value(); });
+  }
+
+  void add_broken_rules() {
+    for (const RuleBreak& rule_break : broken_)
+      judgement_.findings.push_back(to_finding(rule_break, where_));
+  }
+
+  void judge_refusal() {
+    if (!is_unchanged()) {
+      const Ref moved = moved_vertex();
+      report("refused-unchanged", "an operation that refuses leaves the mesh as it was", name(),
+             "the mesh is the same as before, since std::nullopt was returned",
+             !keeps_counts() ? "there are " + counts_text(count(after_)) + " now, not " +
+                                   counts_text(count(before_))
+             : moved != kUnsetRef ? vertex_name(moved) + " has moved"
+                                  : "pointers of the mesh have changed",
+             "what is created or set before the last test that returns std::nullopt");
+      add_broken_rules();
+    } else if (answer_.demand == Demand::kMust) {
+      report("refused", "only what would leave no surface is refused", name(), done_text(),
+             "std::nullopt was returned",
+             "which of the tests at the start says no? Nothing forbids it here");
+    }
+  }
+
+  void report_not_refused() {
+    const bool unchanged = is_unchanged();
+    report("not-refused",
+           "what would leave no surface is refused, and the mesh stays as it was", name(),
+           "std::nullopt is returned: " + answer_.reason,
+           unchanged ? returned_text() + " was returned, and the mesh is as it was"
+                     : "the mesh was changed, and " + returned_text() + " was returned",
+           unchanged ? "the return statement: only std::nullopt says that nothing was done"
+                     : "a test at the start: " + answer_.reason);
+    if (!unchanged) add_broken_rules();
+  }
+
+  void judge_result() {
+    if (!broken_.empty()) return add_broken_rules();
+    if (!has_counts()) return;
+    const FaceLists actual = face_lists_of(after_);
+    const std::optional<LabelMap> map = match_faces(answer_, actual);
+    if (!map) return report_faces(difference(answer_, actual));
+    if (!keeps_positions() || !has_new_positions(*map)) return;
+    judge_returned(*map);
+  }
+
+  /// Where the answer is degenerate, only what lists of faces tell is counted.
+  bool has_counts() {
+    Counts want = count(after_);
+    if (answer_.demand == Demand::kMust) {
+      want = count(mesh_of(answer_.after));
+    } else {
+      want.faces = answer_.after.faces.size();
+    }
+    if (want == count(after_)) return true;
+    report("counts", std::string(rule_meaning("counts")), "the mesh", counts_text(want),
+           counts_text(count(after_)), operation_.advice);
+    return false;
+  }
+
+  void report_faces(const FaceDifference& difference) {
+    const char* rule = difference.turned ? "orientation" : "surface";
+    report(rule,
+           difference.turned ? std::string(rule_meaning(rule))
+                             : "the faces are those that the operation gives",
+           name(), "faces " + first_of(difference.missing),
+           "faces " + first_of(difference.surplus),
+           difference.turned ? "the order of next around these faces"
+                             : "the .vertex and .next of the half-edges around these faces");
+  }
+
+  bool keeps_positions() {
+    const Ref v = moved_vertex();
+    if (v == kUnsetRef) return true;
+    report("position", "no old vertex moves", vertex_name(v),
+           point_text(before_.vertices[v].position), point_text(after_.vertices[v].position),
+           vertex_name(v) + ".position");
+    return false;
+  }
+
+  bool has_new_positions(const LabelMap& map) {
+    const double allowed = task_.tolerance * size_of_picked();
+    for (const auto& [label, v] : map) {
+      const Point3& expected = answer_.after.positions[label];
+      const Point3& actual = after_.vertices[v].position;
+      const double error =
+          std::hypot(actual[0] - expected[0], actual[1] - expected[1], actual[2] - expected[2]);
+      if (error <= allowed) continue;
+      report("new-position",
+             "a new vertex, or one that is left of several, lies where the "
+             "operation says",
+             vertex_name(v), point_text(expected),
+             point_text(actual) + ", off by " + number_text(error),
+             vertex_name(v) + ".position");
+      return false;
+    }
+    return true;
+  }
+
+  /// The length that positions are judged by: the longest distance of corners of the faces
+  /// around the element.
+  double size_of_picked() const {
+    double size = 0.0;
+    for (const Corners& corners : lists_.faces) {
+      const bool is_near =
+          std::any_of(picked_.corners.begin(), picked_.corners.end(),
+                      [&](Label label) { return place_of(corners, label).has_value(); });
+      if (!is_near) continue;
+      for (Label label : corners) {
+        const Point3& a = lists_.positions[corners[0]];
+        const Point3& b = lists_.positions[label];
+        size = std::max(size, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+      }
+    }
+    return size;
+  }
+
+  void judge_returned(const LabelMap& map) {
+    Corners expected;
+    for (Label label : answer_.returned) {
+      const auto found = map.find(label);
+      expected.push_back(found == map.end() ? label : found->second);
+    }
+    const bool exists = is_there(step_.returned);
+    if (!exists || !is_returned(expected)) {
+      const std::string what = std::string("the ") + kind_name(operation_.returns);
+      report(
+          "returned", "the function returns what it says", what,
+          expected.empty() ? what + " that is left" : what + " " + corners_text(expected),
+          "returned: " + returned_text() +
+              (exists
+                   ? ", " + corners_text(
+                                corners_of(after_, operation_.returns, step_.returned).corners)
+                   : ""),
+          "the return statement of " + operation_.function);
+      return;
+    }
+    judge_anchor(map);
+  }
+
+  bool is_there(Ref element) const {
+    if (operation_.returns == ElementKind::kVertex)
+      return element < after_.vertices.size() && after_.vertices[element].live != 0;
+    if (operation_.returns == ElementKind::kEdge)
+      return element < after_.edges.size() && after_.edges[element].live != 0;
+    const FaceRecord* face = is_plain(element) ? find_face(after_, element) : nullptr;
+    return face != nullptr && face->live != 0;
+  }
+
+  bool is_returned(const Corners& expected) const {
+    if (expected.empty()) return true;
+    Corners actual = corners_of(after_, operation_.returns, step_.returned).corners;
+    if (operation_.returns != ElementKind::kEdge)
+      return canonical(actual) == canonical(expected);
+    return std::is_permutation(actual.begin(), actual.end(), expected.begin(), expected.end());
+  }
+
+  static std::string corners_text(const Corners& corners) {
+    std::vector<std::string> names;
+    for (Label corner : corners)
+      names.push_back(vertex_name(corner));
+    return join(names, "-");
+  }
+
+  void judge_anchor(const LabelMap& map) {
+    if (answer_.anchored_to.empty()) return;
+    const Ref v = map.at(answer_.returned.at(0));
+    const Ref h = after_.vertices[v].halfedge;
+    const Ref end = after_.halfedges[after_.halfedges[h].twin].vertex;
+    if (place_of(answer_.anchored_to, end)) return;
+    report("along-edge", "the half-edge of the new vertex lies along the edge that was split",
+           vertex_name(v),
+           vertex_name(v) + ".halfedge leads to " + vertex_name(answer_.anchored_to[0]) +
+               " or " + vertex_name(answer_.anchored_to[1]),
+           vertex_name(v) + ".halfedge is " + halfedge_name(h) + ", which leads to " +
+               vertex_name(end),
+           vertex_name(v) + ".halfedge");
+  }
+
+  const JudgeTask& task_;
+  const LocalOperation& operation_;
+  const MeshDump& before_;
+  FaceLists lists_;
+  Picked picked_;
+  Answer answer_;
+  const LocalStep& step_;
+  const MeshDump& after_;
+  std::string where_;
+  CaseJudgement& judgement_;
+  std::vector<RuleBreak> broken_;
+};
+
+std::string step_text(const LocalOperation& operation, const LocalOperationInput& input,
+                      std::size_t i, Ref element) {
+  if (input.places.size() == 1) return {};
+  return "after operation " + std::to_string(i + 1) + " of " +
+         std::to_string(input.places.size()) + ": " + operation.verb + " " +
+         element_name(operation.picks, element);
+}
+
+void judge_local_operations(const JudgeTask& task, CaseJudgement& judgement) {
+  const LocalOperation& operation = *find_local_operation(task.asked.exercise);
+  const auto input = from_wire<LocalOperationInput>(task.asked.input);
+  if (task.outcome.steps.size() > input.places.size()) throw WireError("too many steps");
+  MeshDump before = built_mesh(input.mesh, input.anchored_elsewhere != 0);
+  for (std::size_t i = 0; i < task.outcome.steps.size(); ++i) {
+    // After a degenerate answer, lists of faces do not tell what is right.
+    if (!trouble_of(face_lists_of(before)).empty()) return;
+    auto step = from_wire<LocalStep>(task.outcome.steps[i]);
+    const Ref element = find_element(before, operation.picks, input.places[i]);
+    if (element == kUnsetRef || step.picked != element) throw WireError("another element");
+    LocalStepJudge(task, operation, before, step, step_text(operation, input, i, element),
+                   judgement)
+        .judge();
+    if (!judgement.findings.empty()) {
+      judgement.verdict = Verdict::kFailed;
+      return;
+    }
+    before = std::move(step.after);
+  }
+  require_all_steps(task.outcome, input.places.size());
+}
+
+}  // namespace
+
+ExerciseJudge local_operation_judge(const ExerciseRubric& rubric,
+                                    const LocalOperation& operation) {
+  refuse_unknown_options(rubric, {});
+  ExerciseJudge judge;
+  judge.functions = {operation.function};
+  judge.judge_steps = [](const JudgeTask& task, Conventions& /*conventions*/,
+                         CaseJudgement& judgement) { judge_local_operations(task, judgement); };
+  return judge;
+}
+
+}  // namespace meshgrade

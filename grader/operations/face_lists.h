@@ -1,0 +1,78 @@
+#pragma once
+
+// A surface as what files have: for each face the list of its corners. An operation on a mesh
+// is easily right there, and there is no half-edge that could be wrong.
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "grader/mesh/mesh_dump.h"
+
+namespace meshgrade {
+
+/// A corner. Old vertices have the number of their record in the dump.
+using Label = std::uint32_t;
+
+/// Corners of a face, counter-clockwise; it matters not where the list begins.
+using Corners = std::vector<Label>;
+
+struct FaceLists {
+  std::vector<Point3> positions;  ///< by label; not all labels need to be in use
+  std::vector<Corners> faces;     ///< those of the surface; what lies outside follows from them
+
+  /// A new corner. @return its label
+  Label add(const Point3& position);
+};
+
+/// The faces of a mesh that keeps all rules, in the order of its live faces.
+FaceLists face_lists_of(const MeshDump& mesh);
+
+/// The list with its least label first: equal for equal faces.
+Corners canonical(Corners corners);
+
+/// The place of a label in a list; nothing if it is not there.
+std::optional<std::size_t> place_of(const Corners& corners, Label label);
+
+/// The list, beginning with this corner, which must be there.
+Corners beginning_with(const Corners& corners, Label first);
+
+/// Questions about a surface that does not change meanwhile.
+class Surface {
+ public:
+  explicit Surface(const FaceLists& lists);
+
+  /// The face that has the side from `a` to `b`; nothing outside.
+  std::optional<std::size_t> face_with_side(Label a, Label b) const;
+  bool is_edge(Label a, Label b) const;
+  bool is_boundary_edge(Label a, Label b) const;
+  bool is_boundary(Label vertex) const { return boundary_.count(vertex) != 0; }
+  /// By edges, in ascending order.
+  const std::set<Label>& neighbours(Label vertex) const { return neighbours_.at(vertex); }
+  /// The faces that have this corner, in ascending order.
+  const std::vector<std::size_t>& faces_at(Label vertex) const { return faces_at_.at(vertex); }
+  /// How many edges the boundary loop of the side from `a` to `b`, outside, has.
+  std::size_t loop_length(Label a, Label b) const;
+
+ private:
+  std::map<std::pair<Label, Label>, std::size_t> sides_;
+  std::map<Label, std::set<Label>> neighbours_;
+  std::map<Label, std::vector<std::size_t>> faces_at_;
+  std::set<Label> boundary_;
+  std::map<Label, Label> next_outside_;
+};
+
+/// What keeps these lists from being a surface without two edges between the same vertices and
+/// without two faces of the same corners; empty if nothing does.
+std::string trouble_of(const FaceLists& lists);
+
+/// The same as a mesh, its vertices numbered in the order in which the faces name them.
+/// @throws meshedit::MeshError if it is no surface
+MeshDump mesh_of(const FaceLists& lists);
+
+}  // namespace meshgrade

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <optional>
+
+#include "halfedge_mesh.h"
+
+namespace meshedit {
+
+/// THE SECOND ASSIGNMENT: editing a surface whose faces are polygons with any number of
+/// corners.
+///
+/// The mesh is that of halfedge_mesh.h. What is new:
+///
+///   - Faces have 3 corners or more, boundary loops too.
+///   - What an operation takes away is deleted: deleteVertex and the others. Deleting changes
+///     no pointer: mend those that led to the element first. A handle to a deleted element is
+///     of no use any more, and using it is told with the line.
+///   - An operation that would leave no surface REFUSES: it returns std::nullopt, and the mesh
+///     is as it was. Look first, change afterwards. What would not be one:
+///       - a face with fewer than 3 corners, or one that visits a vertex twice;
+///       - a vertex where two fans of faces touch in nothing but the vertex;
+///       - an edge without a face on either side, or nothing at all.
+///     Where the result is a surface but a degenerate one (two edges between the same vertices,
+///     two faces with the same corners), both is right: to do it or to refuse.
+///   - Which of the old elements go on living is yours, but for vertices: those that an
+///     operation does not remove stay, with their position.
+///
+/// Every operation costs time in proportion to the faces around its element, not to the mesh.
+class PolyMesh : public HalfedgeMesh {
+ public:
+  /// EXERCISE edge_flip_polygon. Turns an edge by one corner, counter-clockwise in both faces:
+  /// from a-b to d-c, where c follows b in its face and d follows a in the other.
+  ///
+  ///      d ---- a ---- y        d ---- a ---- y
+  ///      |      |      |        | `-.      f  |
+  ///      |  g   |   f  |        |    `-.      |
+  ///      |      |      |        |  g    `-.   |
+  ///      x ---- b ---- c        x ---- b --`- c
+  ///
+  /// Refuses a boundary edge, and an edge whose new ends would make a face visit a vertex
+  /// twice. Creates and deletes nothing.
+  ///
+  /// @return `e`, turned
+  std::optional<EdgeIter> flipEdge(EdgeIter e);
+
+  /// EXERCISE edge_split_polygon. Puts a new vertex in the middle of an edge a-b. Each face on
+  /// its sides is cut in two, from the new vertex to the corner that follows the edge in it;
+  /// outside of the surface nothing is cut. Never refuses.
+  ///
+  /// @return the new vertex, its halfedge() along one half of the old edge
+  std::optional<VertexIter> splitEdge(EdgeIter e);
+
+  /// EXERCISE edge_collapse. Shrinks an edge to one vertex in its middle. Both faces beside it
+  /// lose a corner; a triangle there vanishes, and its two other edges become one.
+  ///
+  /// Refuses where no surface would be left: for example if both ends lie on a boundary and the
+  /// edge does not, or if another face than those beside the edge has both ends.
+  ///
+  /// @return the vertex that is left: either of the two, or a new one
+  std::optional<VertexIter> collapseEdge(EdgeIter e);
+
+  /// EXERCISE edge_dissolve. Takes an edge away. The two faces beside it become one; on a
+  /// boundary, the face goes and the outside takes its place.
+  ///
+  /// Refuses where no surface would be left: for example if the two faces share more than this
+  /// edge, or a face at the boundary touches it elsewhere, too.
+  ///
+  /// @return the face that is left, a boundary loop if it was a boundary edge
+  std::optional<FaceIter> dissolveEdge(EdgeIter e);
+
+  /// EXERCISE vertex_dissolve. Takes a vertex away, with all edges at it. The faces around it
+  /// become one. On a boundary, a new edge between its two neighbours there closes the face.
+  ///
+  /// Refuses where no surface would be left: for example if two of the faces share more than
+  /// the vertex and one edge at it.
+  ///
+  /// @return the face that is left
+  std::optional<FaceIter> dissolveVertex(VertexIter v);
+
+  /// EXERCISE vertex_inset. Puts a new vertex into a face, at the mean of its corners, and
+  /// joins it to each of them: n corners, n triangles. Never refuses a face of the surface.
+  ///
+  /// @return the new vertex
+  std::optional<VertexIter> insetVertex(FaceIter f);
+
+  /// EXERCISE face_extrude. Makes a smaller copy of a face inside it, to be moved later: each
+  /// corner gets a new one AT THE SAME PLACE, and each side a quad between the old corners and
+  /// the new ones. Never refuses a face of the surface.
+  ///
+  /// @return the face in the middle
+  std::optional<FaceIter> extrudeFace(FaceIter f);
+};
+
+}  // namespace meshedit

@@ -1,0 +1,59 @@
+#include "grader/operations/face_lists.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/sample_meshes.h"
+
+namespace meshgrade {
+namespace {
+
+/// Two quads with the edge 1-2 in common.
+FaceLists two_quads() {
+  return {std::vector<Point3>(6), {{0, 1, 2, 3}, {2, 1, 4, 5}}};
+}
+
+TEST(FaceLists, AreTheSameMeshAgain) {
+  for (const char* file : {"prism_5.obj", "mixed_strip.obj", "tube_6.obj", "pouch.obj"}) {
+    const MeshDump mesh = sample_dump(file);
+    const FaceLists lists = face_lists_of(mesh);
+    EXPECT_EQ(lists.faces.size(), count(mesh).faces) << file;
+    EXPECT_TRUE(count(mesh_of(lists)) == count(mesh)) << file;
+    EXPECT_EQ(trouble_of(lists), "") << file;
+  }
+}
+
+TEST(FaceLists, CanonicalListsAreEqualForEqualFacesOnly) {
+  EXPECT_EQ(canonical({3, 1, 2}), canonical({2, 3, 1}));
+  EXPECT_NE(canonical({3, 1, 2}), canonical({2, 1, 3}));
+}
+
+TEST(Surface, KnowsSidesNeighboursAndBoundaries) {
+  const Surface surface(two_quads());
+  EXPECT_EQ(surface.face_with_side(1, 2), 0U);
+  EXPECT_EQ(surface.face_with_side(2, 1), 1U);
+  EXPECT_EQ(surface.face_with_side(1, 0), std::nullopt);
+  EXPECT_TRUE(surface.is_edge(1, 0));
+  EXPECT_FALSE(surface.is_edge(0, 2));
+  EXPECT_TRUE(surface.is_boundary_edge(0, 1));
+  EXPECT_FALSE(surface.is_boundary_edge(1, 2));
+  EXPECT_EQ(surface.neighbours(1), (std::set<Label>{0, 2, 4}));
+  EXPECT_EQ(surface.faces_at(2), (std::vector<std::size_t>{0, 1}));
+  // Outside, the boundary runs the other way round: 0, 3, 2, 5, 4, 1.
+  EXPECT_EQ(surface.loop_length(0, 3), 6U);
+  EXPECT_EQ(surface.loop_length(1, 0), 6U);
+}
+
+TEST(FaceLists, TroubleIsWhatIsNoSurfaceOrADegenerateOne) {
+  FaceLists none;
+  EXPECT_NE(trouble_of(none), "");
+  FaceLists twice = two_quads();
+  twice.faces.push_back({0, 1, 4});  // a third face at the edge 0-1, on the same side
+  EXPECT_NE(trouble_of(twice), "");
+  FaceLists pillow{std::vector<Point3>(3), {{0, 1, 2}, {2, 1, 0}}};
+  EXPECT_NE(trouble_of(pillow), "");
+  FaceLists bow{std::vector<Point3>(5), {{0, 1, 2}, {0, 3, 4}}};
+  EXPECT_NE(trouble_of(bow), "");
+}
+
+}  // namespace
+}  // namespace meshgrade
