@@ -21,9 +21,9 @@ const std::vector<std::string>& closed_meshes() {
 }
 
 const std::vector<std::string>& open_meshes() {
-  static const std::vector<std::string> files{"mixed_strip.obj",     "quad_grid_3x3.obj",
-                                              "tube_6.obj",          "fan.obj",
-                                              "single_triangle.obj", "single_quad.obj"};
+  static const std::vector<std::string> files{
+      "mixed_strip.obj", "quad_grid_3x3.obj",   "tube_6.obj",     "ring_5.obj",
+      "fan.obj",         "single_triangle.obj", "single_quad.obj"};
   return files;
 }
 

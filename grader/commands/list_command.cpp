@@ -46,9 +46,10 @@ std::string points_text(double points, double max_points) {
 }
 
 int list(const ListOptions& options) {
-  const Assignment assignment = load_assignment(options.assignment);
   const ProgressStore store = personal_store();
-  const SubmissionProgress progress = store.load(given_or_last(options.submission, store));
+  const std::filesystem::path submission = given_or_last(options.submission, store);
+  const Assignment assignment = load_assignment_of(options.assignment, submission);
+  const SubmissionProgress progress = store.load(submission);
   std::cout << progress.submission.string() << "\n\n"
             << progress_table(assignment, progress, std::time(nullptr));
   return 0;

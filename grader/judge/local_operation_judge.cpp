@@ -62,9 +62,22 @@ class LocalStepJudge {
     } else {
       judge_result();
     }
+    if (task_.explain && !judgement_.findings.empty()) keep_scene();
   }
 
  private:
+  /// For a viewer.
+  void keep_scene() {
+    if (after_.halfedges.size() > kMostSceneHalfedges) return;
+    const bool has_answer = trouble_of(answer_.after).empty();
+    judgement_.scene = {operation_.verb + " " + name(),
+                        operation_.picks == ElementKind::kEdge ? step_.picked : kUnsetRef,
+                        before_,
+                        after_,
+                        has_answer ? mesh_of(answer_.after) : before_,
+                        FaceShape::kPolygons};
+  }
+
   void report(std::string rule, std::string meaning, std::string element, std::string expected,
               std::string actual, std::string look_at) {
     judgement_.findings.push_back(make_finding(std::move(rule), std::move(meaning), where_,

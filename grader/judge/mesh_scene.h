@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "grader/mesh/mesh_dump.h"
+#include "grader/mesh/mesh_rules.h"
 
 namespace meshgrade {
 
@@ -11,10 +12,11 @@ namespace meshgrade {
 /// Only for a step that went wrong, and only where the meshes are small; else empty.
 struct MeshScene {
   std::string step;      ///< "flip e5 (v0-v3)"
-  Ref edge = kUnsetRef;  ///< the edge that was flipped or split
+  Ref edge = kUnsetRef;  ///< the edge that it was about, if it was one
   MeshDump before;
   MeshDump yours;
   MeshDump expected;
+  FaceShape faces = FaceShape::kTriangles;  ///< what the rules are checked for
 
   bool empty() const { return yours.halfedges.empty(); }
 };

@@ -12,6 +12,14 @@ Label FaceLists::add(const Point3& position) {
   return static_cast<Label>(positions.size() - 1);
 }
 
+void FaceLists::replace(const Corners& face, const std::vector<Corners>& others) {
+  const Corners wanted = canonical(face);
+  const auto place = std::find_if(faces.begin(), faces.end(), [&](const Corners& corners) {
+    return canonical(corners) == wanted;
+  });
+  faces.insert(faces.erase(place), others.begin(), others.end());
+}
+
 FaceLists face_lists_of(const MeshDump& mesh) {
   FaceLists lists;
   for (const VertexRecord& vertex : mesh.vertices)
@@ -90,18 +98,29 @@ MeshDump mesh_of(const FaceLists& lists) {
   // Only what is in use, numbered as build() does it.
   PolygonMesh polygons;
   std::map<Label, std::uint32_t> numbers;
+  std::vector<Label> labels;  // by these numbers
   for (const Corners& corners : lists.faces) {
     auto& polygon = polygons.polygons.emplace_back();
     for (Label label : corners) {
-      const auto next = static_cast<std::uint32_t>(numbers.size());
-      const auto [place, is_new] = numbers.try_emplace(label, next);
-      if (is_new) polygons.positions.push_back(lists.positions[label]);
+      const auto [place, is_new] =
+          numbers.try_emplace(label, static_cast<std::uint32_t>(labels.size()));
+      if (is_new) {
+        labels.push_back(label);
+        polygons.positions.push_back(lists.positions[label]);
+      }
       polygon.push_back(place->second);
     }
   }
   meshedit::HalfedgeMesh mesh;
   build_mesh(polygons, mesh);
-  return dump_mesh(mesh);
+  MeshDump dump = dump_mesh(mesh);
+  std::vector<VertexRecord> vertices(lists.positions.size(), VertexRecord{kUnsetRef, 0, {}});
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    vertices[labels[i]] = dump.vertices[i];
+  for (HalfedgeRecord& h : dump.halfedges)
+    h.vertex = labels[h.vertex];
+  dump.vertices = std::move(vertices);
+  return dump;
 }
 
 std::string trouble_of(const FaceLists& lists) {

@@ -28,6 +28,9 @@ struct FaceLists {
 
   /// A new corner. @return its label
   Label add(const Point3& position);
+
+  /// Puts others in the place of the face with these corners, which must be there.
+  void replace(const Corners& face, const std::vector<Corners>& others);
 };
 
 /// The faces of a mesh that keeps all rules, in the order of its live faces.
@@ -71,7 +74,8 @@ class Surface {
 /// without two faces of the same corners; empty if nothing does.
 std::string trouble_of(const FaceLists& lists);
 
-/// The same as a mesh, its vertices numbered in the order in which the faces name them.
+/// The same as a mesh whose vertices have the numbers of their labels. Those of labels that are
+/// not in use are not live.
 /// @throws meshedit::MeshError if it is no surface
 MeshDump mesh_of(const FaceLists& lists);
 

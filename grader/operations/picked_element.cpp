@@ -51,8 +51,7 @@ Picked corners_of(const MeshDump& mesh, ElementKind kind, Ref element) {
   if (kind == ElementKind::kVertex) return {{element}};
   if (kind == ElementKind::kEdge || kind == ElementKind::kHalfedge) {
     const bool is_edge = kind == ElementKind::kEdge;
-    const HalfedgeRecord& h =
-        mesh.halfedges[is_edge ? mesh.edges[element].halfedge : element];
+    const HalfedgeRecord& h = mesh.halfedges[is_edge ? mesh.edges[element].halfedge : element];
     return {{h.vertex, mesh.halfedges[h.twin].vertex}};
   }
   Picked picked;

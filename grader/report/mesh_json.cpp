@@ -74,7 +74,7 @@ Json to_json_value(const MeshScene& scene) {
   value["before"] = to_json_value(scene.before);
   value["yours"] = to_json_value(scene.yours);
   value["expected"] = to_json_value(scene.expected);
-  value["broken"] = to_json_value(find_broken_rules(scene.yours));
+  value["broken"] = to_json_value(find_broken_rules(scene.yours, scene.faces));
   value["changes"] = to_json_value(find_changes(scene.before, scene.yours));
   return value;
 }

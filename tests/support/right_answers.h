@@ -149,25 +149,6 @@ inline std::vector<std::string> right_patch(const PatchInput& input) {
   return steps;
 }
 
-/// A mesh of these faces whose vertices have the numbers of their labels.
-inline MeshDump dump_with_labels(const FaceLists& lists) {
-  MeshDump mesh = mesh_of(lists);
-  std::vector<Label> labels;  // in the order of mesh_of()
-  for (const Corners& corners : lists.faces) {
-    for (Label label : corners) {
-      if (std::find(labels.begin(), labels.end(), label) == labels.end())
-        labels.push_back(label);
-    }
-  }
-  std::vector<VertexRecord> vertices(lists.positions.size(), {kUnsetRef, 0, {}});
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    vertices[labels[i]] = mesh.vertices[i];
-  for (HalfedgeRecord& h : mesh.halfedges)
-    h.vertex = labels[h.vertex];
-  mesh.vertices = std::move(vertices);
-  return mesh;
-}
-
 inline Ref find_by_corners(const MeshDump& mesh, ElementKind kind, const Corners& corners) {
   for (std::uint32_t place = 0; place < count_elements(mesh, kind); ++place) {
     const Ref element = find_element(mesh, kind, place);
@@ -192,7 +173,7 @@ inline std::vector<std::string> right_local_operations(const LocalOperationInput
         operation.answer(face_lists_of(mesh), corners_of(mesh, operation.picks, step.picked));
     step.refused = answer.demand == Demand::kMust ? 0 : 1;
     if (step.refused == 0) {
-      mesh = dump_with_labels(answer.after);
+      mesh = mesh_of(answer.after);
       step.returned = answer.returned.empty()
                           ? kBoundaryBit
                           : find_by_corners(mesh, operation.returns, answer.returned);

@@ -4,26 +4,20 @@ namespace meshgrade {
 namespace {
 
 Answer face_extrude_answer(const FaceLists& before, const Picked& picked) {
+  const Corners& face = picked.corners;
   Answer answer;
   answer.first_free = static_cast<Label>(before.positions.size());
-  answer.after.positions = before.positions;
-  const Corners face = canonical(picked.corners);
-  for (const Corners& corners : before.faces) {
-    if (canonical(corners) != face) {
-      answer.after.faces.push_back(corners);
-      continue;
-    }
-    Corners copy;
-    for (Label corner : corners)
-      copy.push_back(answer.after.add(before.positions[corner]));
-    const std::size_t n = corners.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t next = (i + 1) % n;
-      answer.after.faces.push_back({corners[i], corners[next], copy[next], copy[i]});
-    }
-    answer.after.faces.push_back(copy);
-    answer.returned = copy;
+  answer.after = before;
+  Corners copy;
+  for (Label corner : face)
+    copy.push_back(answer.after.add(before.positions[corner]));
+  std::vector<Corners> faces{copy};
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    const std::size_t next = (i + 1) % face.size();
+    faces.push_back({face[i], face[next], copy[next], copy[i]});
   }
+  answer.after.replace(face, faces);
+  answer.returned = copy;
   return settle(std::move(answer));
 }
 

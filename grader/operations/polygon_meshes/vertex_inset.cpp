@@ -4,19 +4,15 @@ namespace meshgrade {
 namespace {
 
 Answer vertex_inset_answer(const FaceLists& before, const Picked& picked) {
+  const Corners& face = picked.corners;
   Answer answer;
   answer.first_free = static_cast<Label>(before.positions.size());
-  answer.after.positions = before.positions;
-  const Label m = answer.after.add(middle(before, picked.corners));
-  const Corners face = canonical(picked.corners);
-  for (const Corners& corners : before.faces) {
-    if (canonical(corners) != face) {
-      answer.after.faces.push_back(corners);
-      continue;
-    }
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      answer.after.faces.push_back({corners[i], corners[(i + 1) % corners.size()], m});
-  }
+  answer.after = before;
+  const Label m = answer.after.add(middle(before, face));
+  std::vector<Corners> triangles;
+  for (std::size_t i = 0; i < face.size(); ++i)
+    triangles.push_back({face[i], face[(i + 1) % face.size()], m});
+  answer.after.replace(face, triangles);
   answer.returned = {m};
   return settle(std::move(answer));
 }
