@@ -5,9 +5,9 @@
 
 #include "grader/base/pattern.h"
 #include "grader/base/text.h"
-#include "grader/submission/function_extents.h"
 #include "grader/submission/code_only.h"
 #include "grader/submission/course_files.h"
+#include "grader/submission/function_extents.h"
 
 namespace meshgrade {
 namespace {

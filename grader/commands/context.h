@@ -49,8 +49,8 @@ std::vector<std::string> named_assignments();
 /// @throws UserError that names the file, the line and the key
 Assignment load_assignment(const std::string& file);
 
-/// The same; where none is named, that of which the submission defines a function, if it defines
-/// none of the standard one.
+/// The same; where none is named, that of which the submission defines a function, if it
+/// defines none of the standard one.
 Assignment load_assignment_of(const std::string& file, const std::filesystem::path& submission);
 
 /// What counts must not be graded without the cases that it is to be graded by.

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "grader/base/text.h"
-#include "grader/submission/function_extents.h"
 #include "grader/judge/findings.h"
 #include "grader/submission/code_only.h"
+#include "grader/submission/function_extents.h"
 
 namespace meshgrade {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "grader/base/text.h"
-#include "grader/submission/function_extents.h"
 #include "grader/judge/judge.h"
 #include "grader/report/terminal_report.h"
+#include "grader/submission/function_extents.h"
 
 namespace meshgrade {
 namespace {

@@ -121,7 +121,8 @@ const Change kRight[] = {
      "const HalfedgeIter h = e->halfedge()->twin();", ""},
     {"RefusesALoneCorner", "vertex_dissolve",
      "if (!isFace(sides, boundary)) return std::nullopt;",
-     "if (!isFace(sides, boundary) || (boundary && spokes.size() == 2)) return std::nullopt;", ""},
+     "if (!isFace(sides, boundary) || (boundary && spokes.size() == 2)) return std::nullopt;",
+     ""},
 };
 
 INSTANTIATE_TEST_SUITE_P(Ways, RightOperation, testing::ValuesIn(kRight),

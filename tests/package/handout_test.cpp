@@ -45,7 +45,8 @@ bool is_telling(const std::string& line) {
 /// The lines of the reference between its SOLUTION marks that tell something.
 std::set<std::string> solution_lines() {
   std::set<std::string> lines;
-  for (const auto& entry : fs::directory_iterator(kProject / "reference")) {
+  for (const auto& entry : fs::recursive_directory_iterator(kProject / "reference")) {
+    if (!entry.is_regular_file()) continue;
     bool inside = false;
     for (const std::string& line : split_lines(read(entry.path()))) {
       if (line.find("// SOLUTION BEGIN") != std::string::npos) {
