@@ -12,8 +12,8 @@ HalfedgeIter halfedgeThatLeadsTo(HalfedgeIter h) {
   return before;
 }
 
-// Whether the faces on both sides of h have a corner in common that is no end of it, or an end
-// where nothing but this edge and another one meet.
+// Whether the faces on both sides of h have a corner in common that is no end of it. They do,
+// too, where an end has no third edge: both of them follow the second one.
 bool shareMoreThanTheEdge(HalfedgeIter h) {
   const HalfedgeIter t = h->twin();
   std::set<VertexIter> corners;
@@ -22,8 +22,7 @@ bool shareMoreThanTheEdge(HalfedgeIter h) {
   for (HalfedgeIter k = t->next()->next(); k != t; k = k->next()) {
     if (corners.count(k->vertex()) != 0) return true;
   }
-  return h->next()->twin() == halfedgeThatLeadsTo(t) ||
-         t->next()->twin() == halfedgeThatLeadsTo(h);
+  return false;
 }
 
 // Whether the face of h touches a boundary anywhere but in its edge.

@@ -14,12 +14,12 @@
 namespace meshgrade {
 namespace {
 
-const char* const kMeshes[] = {"quad_cube.dae",     "prism_5.obj",         "pyramid_4.obj",
-                               "dodecahedron.obj",  "octahedron.off",      "quad_torus.obj",
-                               "bipyramid_3.obj",   "pouch.obj",           "mixed_strip.obj",
-                               "quad_grid_3x3.obj", "tube_6.obj",          "ring_5.obj",
-                               "fan.obj",           "single_triangle.obj", "single_quad.obj",
-                               "tetrahedron.obj",   "two_triangles.obj",   "valence_zoo.obj"};
+const char* const kMeshes[] = {
+    "quad_cube.dae",   "prism_5.obj",       "pyramid_4.obj",       "dodecahedron.obj",
+    "octahedron.off",  "quad_torus.obj",    "bipyramid_3.obj",     "pouch.obj",
+    "lens.obj",        "mixed_strip.obj",   "quad_grid_3x3.obj",   "tube_6.obj",
+    "ring_5.obj",      "fan.obj",           "single_triangle.obj", "single_quad.obj",
+    "tetrahedron.obj", "two_triangles.obj", "valence_zoo.obj"};
 
 const char* const kOperations[] = {"edge_flip_polygon", "edge_split_polygon", "edge_collapse",
                                    "edge_dissolve",     "vertex_dissolve",    "vertex_inset",
@@ -156,6 +156,8 @@ TEST(RightAnswer, OfACollapseIsByTheLinkOfItsEdge) {
   EXPECT_EQ(demand("edge_collapse", "single_quad.obj", {0, 1}), Demand::kMust);
   EXPECT_EQ(demand("edge_collapse", "tetrahedron.obj", {0, 1}), Demand::kEither);
   EXPECT_EQ(demand("edge_collapse", "octahedron.off", {0, 1}), Demand::kMust);
+  // The hexagon has both ends, which have no neighbour in common.
+  EXPECT_EQ(demand("edge_collapse", "lens.obj", {0, 3}), Demand::kRefuse);
   // The three edges of the double pyramid's middle look like a triangle.
   EXPECT_EQ(demand("edge_collapse", "bipyramid_3.obj", {0, 1}), Demand::kEither);
 }

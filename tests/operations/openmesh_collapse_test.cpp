@@ -76,7 +76,10 @@ TEST_P(OpenMeshCollapse, AgreesOnWhatMustBeDoneAndOnWhatIsRefused) {
       const Label left = edge.corners[1 - from];  // OpenMesh keeps where the half-edge ends
       const auto h = other.find_halfedge(other.vertex_handle(edge.corners[from]),
                                          other.vertex_handle(left));
-      const bool is_ok = other.is_collapse_ok(h);
+      // OpenMesh 9 does not see that another face has both ends.
+      const bool is_overlooked =
+          answer.reason == "another face than those beside it has both of its ends";
+      const bool is_ok = other.is_collapse_ok(h) && !is_overlooked;
       EXPECT_EQ(is_ok, answer.demand == Demand::kMust) << "edge " << i << ": " << answer.reason;
       if (!is_ok || answer.demand != Demand::kMust) continue;
       other.collapse(h);
@@ -88,10 +91,10 @@ TEST_P(OpenMeshCollapse, AgreesOnWhatMustBeDoneAndOnWhatIsRefused) {
 INSTANTIATE_TEST_SUITE_P(, OpenMeshCollapse,
                          testing::Values("quad_cube.dae", "prism_5.obj", "pyramid_4.obj",
                                          "dodecahedron.obj", "octahedron.off", "quad_torus.obj",
-                                         "bipyramid_3.obj", "pouch.obj", "mixed_strip.obj",
-                                         "quad_grid_3x3.obj", "tube_6.obj", "ring_5.obj",
-                                         "fan.obj", "single_triangle.obj", "single_quad.obj",
-                                         "valence_zoo.obj", "grid_hole.off"),
+                                         "bipyramid_3.obj", "pouch.obj", "lens.obj",
+                                         "mixed_strip.obj", "quad_grid_3x3.obj", "tube_6.obj",
+                                         "ring_5.obj", "fan.obj", "single_triangle.obj",
+                                         "single_quad.obj", "valence_zoo.obj", "grid_hole.off"),
                          [](const auto& tested) {
                            const std::string file = tested.param;
                            return file.substr(0, file.find('.'));
