@@ -13,6 +13,8 @@ namespace {
 /// Handle uses that a good solution never needs for one operation on a small mesh.
 constexpr std::uint64_t kBudget = 20'000;
 
+constexpr const char* kOtherAnchors = ", each halfedge() another";
+
 const std::vector<std::string>& closed_meshes() {
   static const std::vector<std::string> files{
       "quad_cube.dae",    "prism_5.obj",    "pyramid_4.obj",
@@ -57,7 +59,7 @@ class OperationCases {
       const Answer answer = operation_.answer(lists, picked);
       const char* group =
           elsewhere ? "stress" : group_of(answer, touches_boundary(surface, picked));
-      add(group, title(picked, file) + (elsewhere ? ", each halfedge() another" : ""),
+      add(group, title(picked, file) + (elsewhere ? kOtherAnchors : ""),
           {file, mesh, elsewhere ? 1U : 0U, {place}}, kBudget);
     }
   }
@@ -76,7 +78,21 @@ class OperationCases {
                      kLength * kBudget, input, {operation_.function});
   }
 
-  /// A few of the elements at vertices with more than 12 edges.
+  /// What must be refused, four times: each time the mesh is the same.
+  void add_refused_again(const std::string& file) {
+    const PolygonMesh mesh = maker_.mesh(file);
+    const MeshDump built = built_mesh(mesh);
+    for (std::uint32_t place = 0; place < count_elements(built, operation_.picks); ++place) {
+      const Picked picked = pick(built, operation_.picks, place);
+      if (operation_.answer(face_lists_of(built), picked).demand != Demand::kRefuse) continue;
+      maker_.add_fresh("stress", title(picked, file) + ", four times, before anything else",
+                       4 * kBudget,
+                       LocalOperationInput{file, mesh, 0, {place, place, place, place}},
+                       {operation_.function});
+    }
+  }
+
+  /// Some of the elements at vertices with more than 12 edges, with both kinds of anchors.
   void add_high_valences(const std::string& name, const PolygonMesh& mesh) {
     const MeshDump built = built_mesh(mesh);
     const Surface surface(face_lists_of(built));
@@ -87,9 +103,15 @@ class OperationCases {
                       [&](Label corner) { return surface.neighbours(corner).size() > 12; }))
         places.push_back(place);
     }
-    for (const std::size_t i : {std::size_t{0}, places.size() / 2, places.size() - 1})
-      add("stress", title(pick(built, operation_.picks, places[i]), name),
-          {name, mesh, 1, {places[i]}}, kBudget);
+    constexpr std::size_t kMost = 12;
+    const std::size_t step = std::max<std::size_t>(1, places.size() / kMost);
+    for (std::size_t i = 0; i < places.size(); i += step) {
+      for (const std::uint32_t elsewhere : {0U, 1U})
+        add("stress",
+            title(pick(built, operation_.picks, places[i]), name) +
+                (elsewhere != 0 ? kOtherAnchors : ""),
+            {name, mesh, elsewhere, {places[i]}}, kBudget);
+    }
   }
 
   /// Far from the boundary of a large mesh, with less than the budget of a small one, and at
@@ -178,6 +200,8 @@ void make_local_operation_cases(CaseMaker& maker, const LocalOperation& operatio
     for (const MovedMesh& moved : moved_meshes(mesh, {0, 1}))
       cases.add_sequence(file + std::string(", shaken, ") + moved.how, moved.mesh, random);
   }
+  for (const char* file : {"lens.obj", "pouch.obj", "ring_5.obj"})
+    cases.add_refused_again(file);
   cases.add_high_valences("double pyramids with 13 to 24 sides", many_valences(13, 24, random));
   cases.add_high_valences("a fan of 22 triangles", open_fan(22));
   cases.add_constant_work();

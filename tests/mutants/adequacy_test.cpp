@@ -33,6 +33,17 @@ TEST(Adequacy, ASampleOfMutantsIsKilledOrReviewed) {
   EXPECT_GE(functions_named(adequacy).percent(), 90.0);
 }
 
+TEST(Adequacy, ASampleOfTheSecondAssignmentIsKilledOrReviewed) {
+  AdequacyOptions options = nothing();
+  options.assignment = "polygon_meshes";
+  options.mutants = 12;
+  const Adequacy adequacy = measure(options);
+  EXPECT_EQ(adequacy.mutants.size(), 12U);
+  EXPECT_EQ(adequacy.unexplained, std::vector<std::string>());
+  EXPECT_EQ(adequacy.outdated, std::vector<std::string>());
+  EXPECT_EQ(adequacy.grader_errors, std::vector<std::string>());
+}
+
 TEST(Adequacy, RightVariantsHaveFullPoints) {
   AdequacyOptions options = nothing();
   options.variants = 10;
