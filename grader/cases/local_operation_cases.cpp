@@ -13,7 +13,10 @@ namespace {
 /// Handle uses that a good solution never needs for one operation on a small mesh.
 constexpr std::uint64_t kBudget = 20'000;
 
-constexpr const char* kOtherAnchors = ", each halfedge() another";
+std::string anchors_text(std::uint32_t turns) {
+  if (turns == 0) return {};
+  return turns == 1 ? ", each halfedge() the next one" : ", each halfedge() the one after next";
+}
 
 const std::vector<std::string>& closed_meshes() {
   static const std::vector<std::string> files{
@@ -48,7 +51,7 @@ class OperationCases {
 
   /// A case for each element of a mesh, in the group that its answer says; in `stress`, if the
   /// anchors are others.
-  void add_every_element(const std::string& file, bool elsewhere) {
+  void add_every_element(const std::string& file, std::uint32_t anchor_turns) {
     const PolygonMesh mesh = maker_.mesh(file);
     const MeshDump built = built_mesh(mesh);
     const FaceLists lists = face_lists_of(built);
@@ -58,9 +61,9 @@ class OperationCases {
       const Picked picked = pick(built, operation_.picks, place);
       const Answer answer = operation_.answer(lists, picked);
       const char* group =
-          elsewhere ? "stress" : group_of(answer, touches_boundary(surface, picked));
-      add(group, title(picked, file) + (elsewhere ? kOtherAnchors : ""),
-          {file, mesh, elsewhere ? 1U : 0U, {place}}, kBudget);
+          anchor_turns != 0 ? "stress" : group_of(answer, touches_boundary(surface, picked));
+      add(group, title(picked, file) + anchors_text(anchor_turns),
+          {file, mesh, anchor_turns, {place}}, kBudget);
     }
   }
 
@@ -73,7 +76,7 @@ class OperationCases {
   /// may be wrong at its third call only.
   void add_fresh_sequence(const std::string& name, const PolygonMesh& mesh, Random& random) {
     LocalOperationInput input = drawn(name, mesh, random);
-    input.anchored_elsewhere = 1;
+    input.anchor_turns = 1;
     maker_.add_fresh("stress", sequence_title(name) + ", before anything else",
                      kLength * kBudget, input, {operation_.function});
   }
@@ -106,11 +109,10 @@ class OperationCases {
     constexpr std::size_t kMost = 12;
     const std::size_t step = std::max<std::size_t>(1, places.size() / kMost);
     for (std::size_t i = 0; i < places.size(); i += step) {
-      for (const std::uint32_t elsewhere : {0U, 1U})
+      for (const std::uint32_t anchor_turns : {0U, 1U, 2U})
         add("stress",
-            title(pick(built, operation_.picks, places[i]), name) +
-                (elsewhere != 0 ? kOtherAnchors : ""),
-            {name, mesh, elsewhere, {places[i]}}, kBudget);
+            title(pick(built, operation_.picks, places[i]), name) + anchors_text(anchor_turns),
+            {name, mesh, anchor_turns, {places[i]}}, kBudget);
     }
   }
 
@@ -181,10 +183,11 @@ void make_local_operation_cases(CaseMaker& maker, const LocalOperation& operatio
   OperationCases cases(maker, operation);
   for (const auto* files : {&closed_meshes(), &open_meshes()}) {
     for (const std::string& file : *files)
-      cases.add_every_element(file, false);
+      cases.add_every_element(file, 0);
   }
   for (const char* file : {"prism_5.obj", "mixed_strip.obj", "tube_6.obj"})
-    cases.add_every_element(file, true);
+    for (const std::uint32_t anchor_turns : {1U, 2U})
+      cases.add_every_element(file, anchor_turns);
   Random random = maker.random("sequences");
   for (const char* file : {"dodecahedron.obj", "quad_torus.obj", "quad_grid_3x3.obj",
                            "mixed_strip.obj", "tube_6.obj", "icosahedron.obj"}) {

@@ -14,14 +14,14 @@ namespace meshgrade {
 struct LocalOperationInput {
   std::string mesh_name;  ///< for titles: "prism_5.obj"
   PolygonMesh mesh;
-  std::uint32_t anchored_elsewhere = 0;  ///< every element another anchor than as it is built
+  std::uint32_t anchor_turns = 0;  ///< how often every element gets the next anchor around it
   /// One operation after the other: each on the element with this place among the live ones of
   /// its kind then, counted on from the beginning if there are fewer.
   std::vector<std::uint32_t> places;
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(mesh_name, mesh, anchored_elsewhere, places);
+    wire(mesh_name, mesh, anchor_turns, places);
   }
 };
 

@@ -325,7 +325,7 @@ void judge_local_operations(const JudgeTask& task, CaseJudgement& judgement) {
   const LocalOperation& operation = *find_local_operation(task.asked.exercise);
   const auto input = from_wire<LocalOperationInput>(task.asked.input);
   if (task.outcome.steps.size() > input.places.size()) throw WireError("too many steps");
-  MeshDump before = built_mesh(input.mesh, input.anchored_elsewhere != 0);
+  MeshDump before = built_mesh(input.mesh, input.anchor_turns);
   for (std::size_t i = 0; i < task.outcome.steps.size(); ++i) {
     // After a degenerate answer, lists of faces do not tell what is right.
     if (!trouble_of(face_lists_of(before)).empty()) return;

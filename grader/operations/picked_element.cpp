@@ -17,10 +17,11 @@ Ref live_with_place(const std::vector<Record>& records, std::uint32_t place) {
 
 }  // namespace
 
-MeshDump built_mesh(const PolygonMesh& polygons, bool anchored_elsewhere) {
+MeshDump built_mesh(const PolygonMesh& polygons, std::uint32_t anchor_turns) {
   meshedit::HalfedgeMesh mesh;
   build_mesh(polygons, mesh);
-  if (anchored_elsewhere) anchor_elsewhere(mesh);
+  for (std::uint32_t i = 0; i < anchor_turns; ++i)
+    anchor_elsewhere(mesh);
   return dump_mesh(mesh);
 }
 

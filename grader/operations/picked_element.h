@@ -8,8 +8,9 @@
 
 namespace meshgrade {
 
-/// The mesh that build() makes. @throws meshedit::MeshError if the polygons are no surface
-MeshDump built_mesh(const PolygonMesh& mesh, bool anchored_elsewhere = false);
+/// The mesh that build() makes, each element with the next anchor around it so many times.
+/// @throws meshedit::MeshError if the polygons are no surface
+MeshDump built_mesh(const PolygonMesh& mesh, std::uint32_t anchor_turns = 0);
 
 /// How many live elements of a kind there are; of faces, those of the surface.
 std::uint32_t count_elements(const MeshDump& mesh, ElementKind kind);

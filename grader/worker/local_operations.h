@@ -49,7 +49,8 @@ void run_local_operations(WireReader& input, Recorder& recorder,
   const auto asked = input.read<LocalOperationInput>();
   meshedit::PolyMesh mesh;
   build_mesh(asked.mesh, mesh);
-  if (asked.anchored_elsewhere != 0) anchor_elsewhere(mesh);
+  for (std::uint32_t i = 0; i < asked.anchor_turns; ++i)
+    anchor_elsewhere(mesh);
   for (std::uint32_t place : asked.places) {
     const auto element = local_operations_detail::pick<In>(mesh, place);
     LocalStep step;

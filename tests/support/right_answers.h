@@ -165,7 +165,7 @@ inline Ref find_by_corners(const MeshDump& mesh, ElementKind kind, const Corners
 inline std::vector<std::string> right_local_operations(const LocalOperationInput& input,
                                                        const LocalOperation& operation) {
   std::vector<std::string> steps;
-  MeshDump mesh = built_mesh(input.mesh, input.anchored_elsewhere != 0);
+  MeshDump mesh = built_mesh(input.mesh, input.anchor_turns);
   for (std::uint32_t place : input.places) {
     LocalStep step;
     step.picked = find_element(mesh, operation.picks, place);
