@@ -129,7 +129,7 @@ std::filesystem::path or_standard_assignment(const std::string& file) {
       fs::path(file).has_parent_path()) {
     return file;
   }
-  const fs::path named = source_folder() / "grader" / (file + ".toml");
+  fs::path named = source_folder() / "grader" / (file + ".toml");
   if (fs::exists(named, error)) return named;
   throw UserError("there is no assignment \"" + file + "\": name a file (TOML), or " +
                   join(named_assignments(), " or "));

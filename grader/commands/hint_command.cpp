@@ -43,7 +43,7 @@ std::string without_indent(const std::string& line) {
 
 /// The assignment that has the exercise; the standard one if none has.
 Assignment assignment_with(const std::string& exercise) {
-  const Assignment standard = read_assignment(standard_assignment());
+  Assignment standard = read_assignment(standard_assignment());
   if (standard.find(exercise) != nullptr) return standard;
   for (const std::string& name : named_assignments()) {
     Assignment other = load_assignment(name);
