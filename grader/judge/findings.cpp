@@ -4,6 +4,12 @@
 
 namespace meshgrade {
 
+std::string counts_text(const Counts& counts) {
+  return std::to_string(counts.vertices) + " vertices, " + plural(counts.edges, "edge") + ", " +
+         plural(counts.faces, "face") + ", " + plural(counts.halfedges, "half-edge") + ", " +
+         plural(counts.boundaries, "boundary loop");
+}
+
 Finding to_finding(const RuleBreak& rule_break, const std::string& where) {
   return make_finding(rule_break.rule, std::string(rule_meaning(rule_break.rule)), where,
                       rule_break.element, rule_break.expected, rule_break.actual,

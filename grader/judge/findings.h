@@ -9,6 +9,9 @@
 
 namespace meshgrade {
 
+/// "8 vertices, 18 edges, 12 faces, 36 half-edges, 0 boundary loops"
+std::string counts_text(const Counts& counts);
+
 /// A finding about a mesh rule.
 Finding to_finding(const RuleBreak& rule_break, const std::string& where);
 

@@ -25,12 +25,6 @@ std::string first_of(std::vector<std::string> faces) {
   return faces.empty() ? "no other face" : join(faces, ", ");
 }
 
-std::string counts_text(const Counts& c) {
-  return std::to_string(c.vertices) + " vertices, " + plural(c.edges, "edge") + ", " +
-         plural(c.faces, "face") + ", " + plural(c.halfedges, "half-edge") + ", " +
-         plural(c.boundaries, "boundary loop");
-}
-
 /// Judges one operation, from a mesh that keeps all rules.
 class LocalStepJudge {
  public:
@@ -158,8 +152,9 @@ class LocalStepJudge {
   }
 
   void judge_result() {
-    if (!broken_.empty()) return add_broken_rules();
-    if (!has_counts()) return;
+    // An element that was not deleted breaks rules, too, and says less there.
+    const bool is_counted = has_counts();
+    if (!is_counted || !broken_.empty()) return add_broken_rules();
     const FaceLists actual = face_lists_of(after_);
     const std::optional<LabelMap> map = match_faces(answer_, actual);
     if (!map) return report_faces(difference(answer_, actual));

@@ -408,13 +408,8 @@ class StepJudge {
     const Counts want = count(expected);
     const Counts have = count(after_);
     if (want == have) return true;
-    const auto text = [](const Counts& c) {
-      return std::to_string(c.vertices) + " vertices, " + plural(c.edges, "edge") + ", " +
-             plural(c.faces, "face") + ", " + plural(c.halfedges, "half-edge") + ", " +
-             plural(c.boundaries, "boundary loop");
-    };
-    report("counts", std::string(rule_meaning("counts")), "the mesh", text(want), text(have),
-           count_advice(want, have));
+    report("counts", std::string(rule_meaning("counts")), "the mesh", counts_text(want),
+           counts_text(have), count_advice(want, have));
     return false;
   }
 

@@ -18,7 +18,7 @@ class BezierCurve2017 : public detail::Added<BezierCurve> {
       : controlPoints(static_cast<std::size_t>(n)), t(0.0F), numControlPoints(n) {}
 
   /// Appends the next level, one point shorter, to `evaluatedLevels`.
-  void evaluateStep();
+  MESHEDIT_YOURS void evaluateStep();
 
  protected:
   std::vector<Vector2D> controlPoints;
@@ -40,8 +40,8 @@ class BezierPatch2017 : public detail::Added<BezierPatch> {
   explicit BezierPatch2017(std::vector<std::vector<Vector3D>> net)
       : controlPoints(std::move(net)) {}
 
-  Vector3D evaluate(double u, double v) const;
-  Vector3D evaluate1D(std::vector<Vector3D> points, double t) const;
+  MESHEDIT_YOURS Vector3D evaluate(double u, double v) const;
+  MESHEDIT_YOURS Vector3D evaluate1D(std::vector<Vector3D> points, double t) const;
 
  protected:
   std::vector<std::vector<Vector3D>> controlPoints;

@@ -30,7 +30,7 @@ class BezierCurve : public detail::Added<BezierCurve> {
   /// @return the n - 1 points of the next level: (1 - t) points[i] + t points[i + 1], in order,
   ///         with `t` the member of this class. Not the whole curve: whoever calls this
   ///         function repeats it until one point is left.
-  std::vector<Vector2D> evaluateStep(const std::vector<Vector2D>& points);
+  MESHEDIT_YOURS std::vector<Vector2D> evaluateStep(const std::vector<Vector2D>& points);
 
  protected:
   std::vector<Vector2D> controlPoints;
@@ -55,19 +55,20 @@ class BezierPatch : public detail::Added<BezierPatch> {
   /// @param points  the n points of one level, n >= 2
   /// @param t       the parameter, from 0 to 1
   /// @return the n - 1 points of the next level: (1 - t) points[i] + t points[i + 1].
-  std::vector<Vector3D> evaluateStep(const std::vector<Vector3D>& points, double t) const;
+  MESHEDIT_YOURS std::vector<Vector3D> evaluateStep(const std::vector<Vector3D>& points,
+                                                    double t) const;
 
   /// EXERCISE bezier_patch, part 2. The point at t of the curve with these control points.
   ///
   /// @param points  the n control points of a curve, n >= 1
-  Vector3D evaluate1D(const std::vector<Vector3D>& points, double t) const;
+  MESHEDIT_YOURS Vector3D evaluate1D(const std::vector<Vector3D>& points, double t) const;
 
   /// EXERCISE bezier_patch, part 3. The point of the surface at (u, v).
   ///
   /// Each row `controlPoints[i]` is a curve and is evaluated at u. The results, one for each
   /// row and in the order of the rows, are the control points of one more curve, which is
   /// evaluated at v. The net need not be square and need not be 4 x 4.
-  Vector3D evaluate(double u, double v) const;
+  MESHEDIT_YOURS Vector3D evaluate(double u, double v) const;
 
  protected:
   std::vector<std::vector<Vector3D>> controlPoints;

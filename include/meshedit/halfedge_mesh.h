@@ -195,7 +195,7 @@ class Vertex : public detail::Element, public detail::Added<Vertex> {
   /// EXERCISE vertex_normal. The outward unit normal at this vertex: the mean of the normals of
   /// the faces around it, weighted by their areas, scaled to length 1. Boundary loops are no
   /// faces: they do not count. Must not change the mesh.
-  Vector3D normal() const;
+  MESHEDIT_YOURS Vector3D normal() const;
 
   /// Sets `centroid` to the mean of the neighbours' positions. Left for you to define, should
   /// you need it.
@@ -352,7 +352,7 @@ class HalfedgeMesh : public detail::Added<HalfedgeMesh> {
   /// mesh then stays as it is.
   ///
   /// @return the same edge `e0`; for a boundary edge anything, also an unset handle.
-  EdgeIter flipEdge(EdgeIter e0);
+  MESHEDIT_YOURS EdgeIter flipEdge(EdgeIter e0);
 
   /// EXERCISE edge_split. Puts a new vertex in the middle of an edge and joins it to the two
   /// vertices opposite: +1 vertex, +3 edges, +2 faces, +6 half-edges. All old elements stay in
@@ -361,7 +361,7 @@ class HalfedgeMesh : public detail::Added<HalfedgeMesh> {
   ///
   /// @return the new vertex, its halfedge() along one half of the old edge (not along one of
   ///         the new edges to the sides); for a refused boundary edge anything.
-  VertexIter splitEdge(EdgeIter e0);
+  MESHEDIT_YOURS VertexIter splitEdge(EdgeIter e0);
 
   /// Prints which elements point to this one. For debugging.
   void check_for(HalfedgeIter h);

@@ -23,7 +23,7 @@ class MeshResampler {
   /// The vertex rule above is Warren's. Loop's own, u = (5/8 - (3/8 + cos(2 pi / n) / 4)^2) /
   /// n, is accepted as well, unless your assignment names one. Boundaries are extra credit.
   /// Calling it again must give the next level.
-  void upsample(HalfedgeMesh& mesh);
+  MESHEDIT_YOURS void upsample(HalfedgeMesh& mesh);
 };
 
 }  // namespace meshedit

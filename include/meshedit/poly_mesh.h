@@ -41,14 +41,14 @@ class PolyMesh : public HalfedgeMesh {
   /// twice. Creates and deletes nothing.
   ///
   /// @return `e`, turned
-  std::optional<EdgeIter> flipEdge(EdgeIter e);
+  MESHEDIT_YOURS std::optional<EdgeIter> flipEdge(EdgeIter e);
 
   /// EXERCISE edge_split_polygon. Puts a new vertex in the middle of an edge a-b. Each face on
   /// its sides is cut in two, from the new vertex to the corner that follows the edge in it;
   /// outside of the surface nothing is cut. Never refuses.
   ///
   /// @return the new vertex, its halfedge() along one half of the old edge
-  std::optional<VertexIter> splitEdge(EdgeIter e);
+  MESHEDIT_YOURS std::optional<VertexIter> splitEdge(EdgeIter e);
 
   /// EXERCISE edge_collapse. Shrinks an edge to one vertex in its middle. Both faces beside it
   /// lose a corner; a triangle there vanishes, and its two other edges become one.
@@ -57,7 +57,7 @@ class PolyMesh : public HalfedgeMesh {
   /// edge does not, or if another face than those beside the edge has both ends.
   ///
   /// @return the vertex that is left: either of the two, or a new one
-  std::optional<VertexIter> collapseEdge(EdgeIter e);
+  MESHEDIT_YOURS std::optional<VertexIter> collapseEdge(EdgeIter e);
 
   /// EXERCISE edge_dissolve. Takes an edge away. The two faces beside it become one; on a
   /// boundary, the face goes and the outside takes its place.
@@ -66,7 +66,7 @@ class PolyMesh : public HalfedgeMesh {
   /// edge, or a face at the boundary touches it elsewhere, too.
   ///
   /// @return the face that is left, a boundary loop if it was a boundary edge
-  std::optional<FaceIter> dissolveEdge(EdgeIter e);
+  MESHEDIT_YOURS std::optional<FaceIter> dissolveEdge(EdgeIter e);
 
   /// EXERCISE vertex_dissolve. Takes a vertex away, with all edges at it. The faces around it
   /// become one. On a boundary, a new edge between its two neighbours there closes the face.
@@ -75,20 +75,20 @@ class PolyMesh : public HalfedgeMesh {
   /// the vertex and one edge at it.
   ///
   /// @return the face that is left
-  std::optional<FaceIter> dissolveVertex(VertexIter v);
+  MESHEDIT_YOURS std::optional<FaceIter> dissolveVertex(VertexIter v);
 
   /// EXERCISE vertex_inset. Puts a new vertex into a face, at the mean of its corners, and
   /// joins it to each of them: n corners, n triangles. Never refuses a face of the surface.
   ///
   /// @return the new vertex
-  std::optional<VertexIter> insetVertex(FaceIter f);
+  MESHEDIT_YOURS std::optional<VertexIter> insetVertex(FaceIter f);
 
   /// EXERCISE face_extrude. Makes a smaller copy of a face inside it, to be moved later: each
   /// corner gets a new one AT THE SAME PLACE, and each side a quad between the old corners and
   /// the new ones. Never refuses a face of the surface.
   ///
   /// @return the face in the middle
-  std::optional<FaceIter> extrudeFace(FaceIter f);
+  MESHEDIT_YOURS std::optional<FaceIter> extrudeFace(FaceIter f);
 };
 
 }  // namespace meshedit

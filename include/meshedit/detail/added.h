@@ -1,5 +1,9 @@
 #pragma once
 
+// Before what you write: it is found even where you define it `inline`, in a header for
+// example.
+#define MESHEDIT_YOURS [[gnu::used]]
+
 namespace meshedit {
 namespace detail {
 
