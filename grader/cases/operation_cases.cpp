@@ -99,6 +99,9 @@ std::vector<Operation> draw_operations(const PolygonMesh& mesh,
   return operations;
 }
 
+/// For draw_boundary_splits(): all are at the boundary.
+constexpr std::size_t kNoneInside = 3;
+
 /// Random splits that begin with `operations`. Two of three are at the boundary, and the one
 /// with the place `inside` among the three is not.
 std::vector<Operation> draw_boundary_splits(const PolygonMesh& mesh,
@@ -207,16 +210,20 @@ void add_more_boundary_splits(CaseMaker& maker, const std::string& group, Random
   const PolygonMesh large = open_grid(16, random);
   add("a square of 512 triangles", large, {});
   const PolygonMesh grid = shaken(maker.mesh("grid_4x4.obj"), random);
-  // A mistake at the third call only: that is at the boundary, once for each way to anchor.
-  for (std::uint32_t way = 0; way < kAnchorWays; ++way) {
-    const OperationsInput input{"grid_4x4.obj, shaken", grid, Anchoring::kOnEachEdge,
-                                anchored(draw_boundary_splits(grid, {}, 3, random, 1), way)};
-    maker.add_fresh(
-        group,
-        "3 random splits of grid_4x4.obj, shaken, inside and at its boundary, before "
-        "anything else (" +
-            std::to_string(way + 1) + ")",
-        operations_budget(input), input, called_by(input.operations));
+  // A mistake at the third call only: that is at the boundary, once for each way to anchor. The
+  // third call of a helper may be in the second split.
+  for (const std::size_t inside : {std::size_t{1}, kNoneInside}) {
+    for (std::uint32_t way = 0; way < kAnchorWays; ++way) {
+      const OperationsInput input{
+          "grid_4x4.obj, shaken", grid, Anchoring::kOnEachEdge,
+          anchored(draw_boundary_splits(grid, {}, 3, random, inside), way)};
+      maker.add_fresh(group,
+                      std::string("3 random splits of grid_4x4.obj, shaken, ") +
+                          (inside == kNoneInside ? "" : "inside and ") +
+                          "at its boundary, before anything else (" + std::to_string(way + 1) +
+                          ")",
+                      operations_budget(input), input, called_by(input.operations));
+    }
   }
 }
 

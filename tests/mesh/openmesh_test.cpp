@@ -2,21 +2,13 @@
 
 #include <gtest/gtest.h>
 
-// OpenMesh's headers are not clean under our warnings.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
-#pragma GCC diagnostic ignored "-Wpedantic"
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#pragma GCC diagnostic pop
-
 #include <array>
 #include <set>
 
 #include "grader/base/random.h"
 #include "grader/judge/operation_model.h"
 #include "grader/mesh/mesh_rules.h"
+#include "tests/support/openmesh.h"
 #include "tests/support/sample_meshes.h"
 
 namespace meshgrade {
@@ -54,16 +46,10 @@ std::set<Triangle> triangles(const TriMesh& mesh) {
 }
 
 TriMesh to_openmesh(const MeshDump& dump) {
-  TriMesh mesh;
-  mesh.request_face_status();
-  mesh.request_edge_status();
-  mesh.request_halfedge_status();
-  mesh.request_vertex_status();
-  for (const VertexRecord& v : dump.vertices) {
-    mesh.add_vertex(TriMesh::Point(static_cast<float>(v.position[0]),
-                                   static_cast<float>(v.position[1]),
-                                   static_cast<float>(v.position[2])));
-  }
+  std::vector<Point3> positions;
+  for (const VertexRecord& v : dump.vertices)
+    positions.push_back(v.position);
+  auto mesh = openmesh_with_vertices<TriMesh>(positions);
   for (const Triangle& t : triangles(dump)) {
     const auto handle = [&](std::size_t i) { return mesh.vertex_handle(t.at(i)); };
     EXPECT_TRUE(mesh.add_face(handle(0), handle(1), handle(2)).is_valid());

@@ -2,19 +2,11 @@
 
 #include <gtest/gtest.h>
 
-// OpenMesh's headers are not clean under our warnings.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
-#pragma GCC diagnostic ignored "-Wpedantic"
-#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
-#pragma GCC diagnostic pop
-
 #include <set>
 
 #include "grader/operations/local_operation_list.h"
 #include "grader/operations/picked_element.h"
+#include "tests/support/openmesh.h"
 #include "tests/support/sample_meshes.h"
 
 namespace meshgrade {
@@ -23,13 +15,7 @@ namespace {
 using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<>;
 
 PolyMesh to_openmesh(const FaceLists& lists) {
-  PolyMesh mesh;
-  mesh.request_face_status();
-  mesh.request_edge_status();
-  mesh.request_halfedge_status();
-  mesh.request_vertex_status();
-  for (std::size_t i = 0; i < lists.positions.size(); ++i)
-    mesh.add_vertex(PolyMesh::Point(0, 0, 0));
+  auto mesh = openmesh_with_vertices<PolyMesh>(lists.positions);
   for (const Corners& corners : lists.faces) {
     std::vector<OpenMesh::VertexHandle> handles;
     for (Label label : corners)
