@@ -126,6 +126,16 @@ class PolyMesh : public HalfedgeMesh {
   ///
   /// @return a boundary loop that passes an old side of the face
   MESHEDIT_YOURS std::optional<FaceIter> removeFace(FaceIter f);
+
+  /// EXERCISE edge_weld. Makes one edge of two that lie on a boundary, so that their faces lie
+  /// side by side: where `e` starts in its face, `f` ends in its own. Of each two ends that
+  /// meet, one vertex is left, in the middle between them; an end that both have stays.
+  ///
+  /// Refuses an edge that is not on a boundary, twice the same, and what leaves no surface: if
+  /// two ends that meet are joined by an edge, or are corners of the same face.
+  ///
+  /// @return the edge that is left: either of the two, or a new one
+  MESHEDIT_YOURS std::optional<EdgeIter> weldEdges(EdgeIter e, EdgeIter f);
 };
 
 }  // namespace meshedit

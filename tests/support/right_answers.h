@@ -170,11 +170,15 @@ inline std::vector<std::string> right_local_operations(const LocalOperationInput
                                                        const LocalOperation& operation) {
   std::vector<std::string> steps;
   MeshDump mesh = built_mesh(input.mesh, input.anchor_turns);
-  for (std::uint32_t place : input.places) {
+  for (std::size_t i = 0; i < input.places.size(); i += operation.picks_two ? 2 : 1) {
     LocalStep step;
-    step.picked = find_element(mesh, operation.picks, place);
-    const Answer answer =
-        operation.answer(face_lists_of(mesh), corners_of(mesh, operation.picks, step.picked));
+    step.picked = find_element(mesh, operation.picks, input.places[i]);
+    Picked picked = corners_of(mesh, operation.picks, step.picked);
+    if (operation.picks_two) {
+      step.partner = find_element(mesh, operation.picks, input.places[i + 1]);
+      picked.partner = corners_of(mesh, operation.picks, step.partner).corners;
+    }
+    const Answer answer = operation.answer(face_lists_of(mesh), picked);
     step.refused = answer.demand == Demand::kMust ? 0 : 1;
     if (step.refused == 0) {
       mesh = mesh_of(answer.after);
