@@ -380,7 +380,7 @@ class HalfedgeMesh : public detail::Added<HalfedgeMesh> {
   detail::Pool<Vertex> vertices;
   detail::Pool<Edge> edges;
   detail::Pool<Face> faces;
-  detail::Pool<Face> boundaries;
+  detail::Pool<Face> boundaries{detail::kSecondList};
 
  private:
   std::uint32_t serial_;  ///< tells this mesh from all others

@@ -220,6 +220,19 @@ TEST_F(Handles, SetsAreInTheOrderOfTheList) {
   }
 }
 
+TEST_F(Handles, OfAFaceAndOfABoundaryLoopAreDifferentKeys) {
+  HalfedgeMesh mesh = mesh_of(triangle());
+  const FaceIter face = mesh.facesBegin();
+  const FaceIter loop = mesh.boundariesBegin();
+  std::map<FaceIter, int> sides{{face, 1}, {loop, 2}};
+  EXPECT_EQ(sides.size(), 2U);
+  EXPECT_EQ(sides.at(face), 1);
+  EXPECT_EQ(sides.at(loop), 2);
+  EXPECT_TRUE(face < loop);
+  mesh.deleteBoundary(loop);
+  EXPECT_EQ(sides.count(loop), 1U);
+}
+
 TEST_F(Handles, ReferenceRewiresAndCopyDoesNot) {
   HalfedgeMesh mesh = mesh_of(diamond());
   const HalfedgeIter h = mesh.halfedgesBegin();
