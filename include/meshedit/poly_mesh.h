@@ -1,10 +1,20 @@
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include "halfedge_mesh.h"
+#include "vector3d.h"
 
 namespace meshedit {
+
+/// Where the vertices of the next level of a subdivision lie: one position for each vertex, edge
+/// and face of the surface. Boundary loops are no faces: they have none.
+struct RefinedPositions {
+  std::map<VertexIter, Vector3D> vertices;  ///< where each old vertex goes
+  std::map<EdgeIter, Vector3D> edges;       ///< the new vertex of each edge
+  std::map<FaceIter, Vector3D> faces;       ///< the new vertex within each face
+};
 
 /// THE SECOND ASSIGNMENT: editing a surface whose faces are polygons with any number of
 /// corners.
@@ -89,6 +99,14 @@ class PolyMesh : public HalfedgeMesh {
   ///
   /// @return the face in the middle
   MESHEDIT_YOURS std::optional<FaceIter> extrudeFace(FaceIter f);
+
+  // The WHOLE mesh: these cost time in proportion to it.
+
+  /// EXERCISE triangulation. Cuts every face with more than three corners into triangles, by
+  /// new edges between its corners. Any pattern is right: n corners, n - 2 triangles. All
+  /// vertices and edges stay as they are, boundary loops too. An old face may be one of the
+  /// triangles, or be deleted.
+  MESHEDIT_YOURS void triangulate();
 };
 
 }  // namespace meshedit
