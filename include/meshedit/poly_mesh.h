@@ -107,6 +107,12 @@ class PolyMesh : public HalfedgeMesh {
   /// vertices and edges stay as they are, boundary loops too. An old face may be one of the
   /// triangles, or be deleted.
   MESHEDIT_YOURS void triangulate();
+
+  /// EXERCISE linear_subdivision. Where the vertices of the next level lie if each face with n
+  /// corners is cut into n quads and nothing is smoothed: vertices stay, the new vertex of an
+  /// edge lies in its middle, that of a face at the mean of its corners. Cutting is not yours:
+  /// the mesh must stay as it is.
+  MESHEDIT_YOURS RefinedPositions linearPositions();
 };
 
 }  // namespace meshedit

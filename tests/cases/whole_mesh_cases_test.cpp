@@ -68,7 +68,7 @@ TEST_P(WholeMeshExercises, AreShrunkToFewerCallsOrCorners) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, WholeMeshExercises,
-                         testing::Values("triangulation"),
+                         testing::Values("triangulation", "linear_subdivision"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

@@ -109,7 +109,8 @@ INSTANTIATE_TEST_SUITE_P(, HostileSteps,
                                          "edge_flip", "edge_split", "loop_subdivision",
                                          "edge_flip_polygon", "edge_split_polygon",
                                          "edge_collapse", "edge_dissolve", "vertex_dissolve",
-                                         "vertex_inset", "face_extrude", "triangulation"),
+                                         "vertex_inset", "face_extrude", "triangulation",
+                                         "linear_subdivision"),
                          [](const auto& parameter) { return parameter.param; });
 
 // A forged history can lead to a mesh that does not have the edge that is asked for next.

@@ -56,7 +56,8 @@ INSTANTIATE_TEST_SUITE_P(, RightAnswers,
                                          "edge_flip", "edge_split", "loop_subdivision",
                                          "edge_flip_polygon", "edge_split_polygon",
                                          "edge_collapse", "edge_dissolve", "vertex_dissolve",
-                                         "vertex_inset", "face_extrude", "triangulation"),
+                                         "vertex_inset", "face_extrude", "triangulation",
+                                         "linear_subdivision"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

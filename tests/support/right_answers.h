@@ -16,6 +16,7 @@
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/operation_model.h"
 #include "grader/judge/operations_judge.h"
+#include "grader/judge/refinement_rules.h"
 #include "grader/operations/local_operation_list.h"
 #include "grader/operations/picked_element.h"
 #include "grader/run/outcome.h"
@@ -263,6 +264,33 @@ inline std::vector<std::string> right_triangulations(const WholeMeshInput& input
   return std::vector<std::string>(input.times, to_wire(cut));
 }
 
+/// By the closed forms, which know nothing of OpenSubdiv.
+inline std::vector<std::string> right_refinements(const WholeMeshInput& input,
+                                                  RefinementScheme scheme) {
+  std::vector<std::string> steps;
+  PolygonMesh polygons = input.mesh;
+  for (std::uint32_t level = 0; level < input.times; ++level) {
+    RefinementStep step;
+    step.after = built_mesh(polygons, input.anchor_turns);
+    const SurfaceRings rings = rings_of(step.after);
+    RefinedPoints points;
+    const RefinementRules rules(rings, scheme, points);
+    points.faces = rules.points(PointKind::kFace);
+    points.edges = rules.points(PointKind::kEdge);
+    points.vertices = rules.points(PointKind::kVertex);
+    const auto place = [](const std::vector<Point3>& from, std::vector<PlacedElement>& to) {
+      for (Ref i = 0; i < from.size(); ++i)
+        to.push_back({i, from[i]});
+    };
+    place(points.vertices, step.vertices);
+    place(points.edges, step.edges);
+    place(points.faces, step.faces);
+    polygons = refined_mesh(step.after, points);
+    steps.push_back(to_wire(step));
+  }
+  return steps;
+}
+
 inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarren,
                              CornerRule corner = CornerRule::kSmooth) {
   Outcome outcome;
@@ -279,6 +307,9 @@ inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarre
     outcome.steps = right_local_operations(from_wire<LocalOperationInput>(c.input), *operation);
   if (c.exercise == "triangulation")
     outcome.steps = right_triangulations(from_wire<WholeMeshInput>(c.input));
+  if (c.exercise == "linear_subdivision")
+    outcome.steps =
+        right_refinements(from_wire<WholeMeshInput>(c.input), RefinementScheme::kLinear);
   if (c.exercise == "loop_subdivision")
     outcome.steps = right_levels(from_wire<SubdivisionInput>(c.input), rule, corner);
   return outcome;
