@@ -113,6 +113,17 @@ class PolyMesh : public HalfedgeMesh {
   /// edge lies in its middle, that of a face at the mean of its corners. Cutting is not yours:
   /// the mesh must stay as it is.
   MESHEDIT_YOURS RefinedPositions linearPositions();
+
+  /// EXERCISE catmull_clark. The same with the rules of Catmull and Clark (1978):
+  ///
+  ///   face    the mean of its corners
+  ///   edge    the mean of its two ends and of the new vertices of the two faces beside it;
+  ///           on a boundary its middle
+  ///   vertex  (Q + 2 R + (n - 3) S) / n, where n is its number of edges, Q the mean of the new
+  ///           vertices of the faces around it, R the mean of the middles of its edges, and S
+  ///           where it lies; on a boundary 3/4 S + 1/8 (a + b), with its two neighbours a and
+  ///           b along the boundary
+  MESHEDIT_YOURS RefinedPositions catmullClarkPositions();
 };
 
 }  // namespace meshedit

@@ -68,7 +68,7 @@ TEST_P(WholeMeshExercises, AreShrunkToFewerCallsOrCorners) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, WholeMeshExercises,
-                         testing::Values("triangulation", "linear_subdivision"),
+                         testing::Values("triangulation", "linear_subdivision", "catmull_clark"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

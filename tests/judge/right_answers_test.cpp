@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(, RightAnswers,
                                          "edge_flip_polygon", "edge_split_polygon",
                                          "edge_collapse", "edge_dissolve", "vertex_dissolve",
                                          "vertex_inset", "face_extrude", "triangulation",
-                                         "linear_subdivision"),
+                                         "linear_subdivision", "catmull_clark"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

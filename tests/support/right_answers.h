@@ -310,6 +310,9 @@ inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarre
   if (c.exercise == "linear_subdivision")
     outcome.steps =
         right_refinements(from_wire<WholeMeshInput>(c.input), RefinementScheme::kLinear);
+  if (c.exercise == "catmull_clark")
+    outcome.steps =
+        right_refinements(from_wire<WholeMeshInput>(c.input), RefinementScheme::kCatmullClark);
   if (c.exercise == "loop_subdivision")
     outcome.steps = right_levels(from_wire<SubdivisionInput>(c.input), rule, corner);
   return outcome;
