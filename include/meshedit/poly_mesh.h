@@ -124,6 +124,18 @@ class PolyMesh : public HalfedgeMesh {
   ///           where it lies; on a boundary 3/4 S + 1/8 (a + b), with its two neighbours a and
   ///           b along the boundary
   MESHEDIT_YOURS RefinedPositions catmullClarkPositions();
+
+  /// EXERCISE loop_refinement. One level of Loop subdivision: each triangle becomes four, and
+  /// all vertices move. Old vertices stay; which edges and faces are the old ones is yours.
+  ///
+  ///   edge    3/8 of each end and 1/8 of each of the two vertices opposite; on a boundary its
+  ///           middle
+  ///   vertex  (1 - n u) S + u (the sum of its n neighbours), u = 3/16 for n = 3, otherwise
+  ///           3 / (8 n); on a boundary 3/4 S + 1/8 (a + b), with its two neighbours a and b
+  ///           along the boundary
+  ///
+  /// @return false if a face is no triangle: the mesh is then as it was
+  MESHEDIT_YOURS bool loopSubdivide();
 };
 
 }  // namespace meshedit

@@ -68,8 +68,23 @@ TEST_P(WholeMeshExercises, AreShrunkToFewerCallsOrCorners) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, WholeMeshExercises,
-                         testing::Values("triangulation", "linear_subdivision", "catmull_clark"),
+                         testing::Values("triangulation", "linear_subdivision", "catmull_clark",
+                                         "loop_refinement"),
                          [](const auto& parameter) { return parameter.param; });
+
+TEST(LoopRefinement, RefusesExactlyWhatHasOtherFacesThanTriangles) {
+  std::map<bool, int> asked;
+  for (const Case& c : standard_cases("loop_refinement")) {
+    const auto input = from_wire<WholeMeshInput>(c.input);
+    const auto& polygons = input.mesh.polygons;
+    const bool triangles = std::all_of(polygons.begin(), polygons.end(),
+                                       [](const auto& p) { return p.size() == 3; });
+    EXPECT_EQ(c.group == "refused", !triangles) << c.title;
+    ++asked[triangles];
+  }
+  EXPECT_GT(asked[true], 40);
+  EXPECT_GT(asked[false], 20);
+}
 
 }  // namespace
 }  // namespace meshgrade

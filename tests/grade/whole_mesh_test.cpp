@@ -91,6 +91,18 @@ const Change kWrongOnTheWhole[] = {
      "RefinedPositions refined; static int calls = 0; ++calls;\n"
      "  if (calls % 3 == 0) refined.vertices[VertexIter()] = Vector3D();",
      "foreign-position"},
+    {"RefusesTriangles", "loop_refinement", "return true;", "return false;", "refused"},
+    {"RefusesNothing", "loop_refinement", "if (f->degree() != 3) return false;", "",
+     "not-refused"},
+    {"SaysThatItIsDone", "loop_refinement", "if (f->degree() != 3) return false;",
+     "if (f->degree() != 3) return true;", "not-refused"},
+    {"RefusesAfterAChange", "loop_refinement", "if (f->degree() != 3) return false;",
+     "if (f->degree() != 3) { newVertex(); return false; }", "refused-unchanged"},
+    {"LeavesAnEdgeWithoutAnchor", "loop_refinement", "behind->halfedge() = mb;", "",
+     "live-pointer"},
+    {"CutsNoFaces", "loop_refinement", "cutIntoFour(*this, f);", ";", "counts"},
+    {"TakesOtherWeights", "loop_refinement", "0.375 * ends + 0.125 *", "0.25 * ends + 0.25 *",
+     "position"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Mistakes, WrongOnTheWhole, testing::ValuesIn(kWrongOnTheWhole),
@@ -271,6 +283,13 @@ const Change kRightOnTheWhole[] = {
     {"SmoothInFloat", "catmull_clark", "return refined;", kRounded, ""},
     {"SmoothInOtherTerms", "catmull_clark", kInnerRule,
      "(faces + 2.0 * middles) / (n * n) + (n - 3.0) / n * S", ""},
+    {"LoopsOwnWeights", "loop_refinement",
+     "const double u = n == 3.0 ? 3.0 / 16.0 : 3.0 / (8.0 * n);",
+     "const double c = 3.0 / 8.0 + std::cos(2.0 * std::acos(-1.0) / n) / 4.0;\n"
+     "  const double u = (5.0 / 8.0 - c * c) / n;",
+     ""},
+    {"LoopsFacesInAnotherOrder", "loop_refinement", "old_faces.push_back(f);",
+     "old_faces.insert(old_faces.begin(), f);", ""},
     {"MarksTheMesh", "catmull_clark", "return refined;",
      "for (VertexIter v = verticesBegin(); v != verticesEnd(); ++v) { v->isNew = true; "
      "v->newPosition = refined.vertices[v]; }\n  return refined;",

@@ -57,7 +57,8 @@ INSTANTIATE_TEST_SUITE_P(, RightAnswers,
                                          "edge_flip_polygon", "edge_split_polygon",
                                          "edge_collapse", "edge_dissolve", "vertex_dissolve",
                                          "vertex_inset", "face_extrude", "triangulation",
-                                         "linear_subdivision", "catmull_clark"),
+                                         "linear_subdivision", "catmull_clark",
+                                         "loop_refinement"),
                          [](const auto& parameter) { return parameter.param; });
 
 }  // namespace

@@ -291,6 +291,18 @@ inline std::vector<std::string> right_refinements(const WholeMeshInput& input,
   return steps;
 }
 
+/// Refuses what it must, and takes the vertices by OpenSubdiv otherwise.
+inline std::vector<std::string> right_loop_refinements(const WholeMeshInput& input,
+                                                       VertexRule rule, CornerRule corner) {
+  std::vector<std::string> steps;
+  if (!is_triangle_mesh(input.mesh))
+    return {to_wire(RefusableStep{0, built_mesh(input.mesh, input.anchor_turns)})};
+  const SubdivisionInput levels{input.mesh_name, input.mesh, input.times};
+  for (const std::string& level : right_levels(levels, rule, corner))
+    steps.push_back(to_wire(RefusableStep{1, from_wire<MeshDump>(level)}));
+  return steps;
+}
+
 inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarren,
                              CornerRule corner = CornerRule::kSmooth) {
   Outcome outcome;
@@ -313,6 +325,8 @@ inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarre
   if (c.exercise == "catmull_clark")
     outcome.steps =
         right_refinements(from_wire<WholeMeshInput>(c.input), RefinementScheme::kCatmullClark);
+  if (c.exercise == "loop_refinement")
+    outcome.steps = right_loop_refinements(from_wire<WholeMeshInput>(c.input), rule, corner);
   if (c.exercise == "loop_subdivision")
     outcome.steps = right_levels(from_wire<SubdivisionInput>(c.input), rule, corner);
   return outcome;
