@@ -205,20 +205,6 @@ class OperationCases {
     maker_.add(group, title, budget, input, {operation_.function});
   }
 
-  static PolygonMesh quad_grid(std::uint32_t columns, std::uint32_t rows) {
-    PolygonMesh mesh;
-    for (std::uint32_t y = 0; y <= rows; ++y) {
-      for (std::uint32_t x = 0; x <= columns; ++x)
-        mesh.positions.push_back({static_cast<double>(x), static_cast<double>(y), 0.0});
-    }
-    const auto at = [&](std::uint32_t x, std::uint32_t y) { return y * (columns + 1) + x; };
-    for (std::uint32_t y = 0; y < rows; ++y) {
-      for (std::uint32_t x = 0; x < columns; ++x)
-        mesh.polygons.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
-    }
-    return mesh;
-  }
-
   CaseMaker& maker_;
   const LocalOperation& operation_;
 };
