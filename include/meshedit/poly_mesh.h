@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "halfedge_mesh.h"
 #include "vector3d.h"
@@ -147,6 +148,26 @@ class PolyMesh : public HalfedgeMesh {
   ///
   /// @return the edge that is left: either of the two, or a new one
   MESHEDIT_YOURS std::optional<EdgeIter> weldEdges(EdgeIter e, EdgeIter f);
+
+  // WHERE THE CORNERS of a new face LIE, while somebody drags it. These change no pointer.
+
+  /// EXERCISE extrude_positions. Places the corners of a face that extrudeFace() has made: each
+  /// at p + shrink (m - p) + move, where p is the outer corner beside it and m the mean of all
+  /// outer corners. Each call begins at the outer corners, so that the same call again changes
+  /// nothing.
+  ///
+  /// @param shrink 0 for full size, 1 for a point, less than 0 for a larger face
+  MESHEDIT_YOURS void placeExtruded(FaceIter f, const Vector3D& move, double shrink);
+
+  /// EXERCISE bevel_positions. Places the corners of a face that bevelVertex() or bevelEdge()
+  /// has made, each on the edge that leads out of the face there: at start + t u, where u is
+  /// the unit vector from the start to the outer vertex, and t = distance / dot(direction, u),
+  /// so that all corners go equally far in the direction.
+  ///
+  /// @param starts where the corners were at first, from the vertex of f->halfedge() on
+  /// @param direction of length 1
+  MESHEDIT_YOURS void placeBevelled(FaceIter f, const std::vector<Vector3D>& starts,
+                                    const Vector3D& direction, double distance);
 
   // The WHOLE mesh: these cost time in proportion to it.
 
