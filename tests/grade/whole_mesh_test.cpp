@@ -91,6 +91,8 @@ const Change kWrongOnTheWhole[] = {
      "RefinedPositions refined; static int calls = 0; ++calls;\n"
      "  if (calls % 3 == 0) refined.vertices[VertexIter()] = Vector3D();",
      "foreign-position"},
+    {"TrustsTheAnchorOnABoundary", "catmull_clark", "const bool boundary = v->isBoundary();",
+     "const bool boundary = v->halfedge()->isBoundary();", "position"},
     {"RefusesTriangles", "loop_refinement", "return true;", "return false;", "refused"},
     {"RefusesNothing", "loop_refinement", "if (f->degree() != 3) return false;", "",
      "not-refused"},
@@ -100,7 +102,7 @@ const Change kWrongOnTheWhole[] = {
      "if (f->degree() != 3) { newVertex(); return false; }", "refused-unchanged"},
     {"LeavesAnEdgeWithoutAnchor", "loop_refinement", "behind->halfedge() = mb;", "",
      "live-pointer"},
-    {"CutsNoFaces", "loop_refinement", "cutIntoFour(*this, f);", ";", "counts"},
+    {"CutsNoFaces", "loop_refinement", "cutIntoFour(*this, f);", ";", "face-loop"},
     {"TakesOtherWeights", "loop_refinement", "0.375 * ends + 0.125 *", "0.25 * ends + 0.25 *",
      "position"},
 };
