@@ -253,6 +253,19 @@ TEST(WrongFacePoints, AreToldOnceAndNotAgainForEdgesAndVertices) {
   }
 }
 
+TEST(ARefusal, IsNotToldWhereTheLevelBeforeItIsWrong) {
+  const ExerciseReport report = grade_one(
+      "loop_refinement", altered(path_of("loop_refinement"), "cutIntoFour(*this, f);", ";"));
+  std::size_t wrong = 0;
+  for (const CaseReport& c : report.cases) {
+    for (const auto& told : c.findings) {
+      ++wrong;
+      EXPECT_NE(told.finding.rule, "refused") << c.title;
+    }
+  }
+  EXPECT_GT(wrong, 0U);
+}
+
 class RightOnTheWhole : public testing::TestWithParam<Change> {};
 
 TEST_P(RightOnTheWhole, HasEveryPointDoneInAnotherWay) {
