@@ -234,26 +234,31 @@ class LocalStepJudge {
   }
 
   void judge_returned(const LabelMap& map) {
-    Corners expected;
-    for (Label label : answer_.returned) {
-      const auto found = map.find(label);
-      expected.push_back(found == map.end() ? label : found->second);
+    std::vector<Corners> expected;
+    for (Corners corners : answer_.returned) {
+      for (Label& label : corners) {
+        const auto found = map.find(label);
+        if (found != map.end()) label = found->second;
+      }
+      expected.push_back(std::move(corners));
     }
     const bool exists = is_there(step_.returned);
-    if (!exists || !is_returned(expected)) {
-      const std::string what = std::string("the ") + kind_name(operation_.returns);
-      report(
-          "returned", "the function returns what it says", what,
-          expected.empty() ? what + " that is left" : what + " " + corners_text(expected),
-          "returned: " + returned_text() +
-              (exists
-                   ? ", " + corners_text(
-                                corners_of(after_, operation_.returns, step_.returned).corners)
-                   : ""),
-          "the return statement of " + operation_.function);
-      return;
-    }
+    const bool is_right =
+        exists && std::any_of(expected.begin(), expected.end(),
+                              [&](const Corners& corners) { return is_returned(corners); });
+    if (!is_right) return report_returned(expected.at(0), exists);
     judge_anchor(map);
+  }
+
+  void report_returned(const Corners& expected, bool exists) {
+    const std::string what = std::string("the ") + kind_name(operation_.returns);
+    std::string actual = "returned: " + returned_text();
+    if (exists)
+      actual +=
+          ", " + corners_text(corners_of(after_, operation_.returns, step_.returned).corners);
+    report("returned", "the function returns what it says", what,
+           what + " " + corners_text(expected), actual,
+           "the return statement of " + operation_.function);
   }
 
   bool is_there(Ref element) const {
@@ -266,7 +271,6 @@ class LocalStepJudge {
   }
 
   bool is_returned(const Corners& expected) const {
-    if (expected.empty()) return true;
     Corners actual = corners_of(after_, operation_.returns, step_.returned).corners;
     if (operation_.returns != ElementKind::kEdge)
       return canonical(actual) == canonical(expected);
@@ -282,7 +286,7 @@ class LocalStepJudge {
 
   void judge_anchor(const LabelMap& map) {
     if (answer_.anchored_to.empty()) return;
-    const Ref v = map.at(answer_.returned.at(0));
+    const Ref v = map.at(answer_.returned.at(0).at(0));
     const Ref h = after_.vertices[v].halfedge;
     const Ref end = after_.halfedges[after_.halfedges[h].twin].vertex;
     if (place_of(answer_.anchored_to, end)) return;

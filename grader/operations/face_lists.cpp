@@ -53,6 +53,30 @@ Corners beginning_with(const Corners& corners, Label first) {
   return turned;
 }
 
+FaceLists merged(const FaceLists& before, const Corners& corners, Label left) {
+  FaceLists after;
+  after.positions = before.positions;
+  for (const Corners& face : before.faces) {
+    Corners now;
+    for (Label corner : face) {
+      const Label label = place_of(corners, corner) ? left : corner;
+      if (now.empty() || now.back() != label) now.push_back(label);
+    }
+    if (now.size() > 1 && now.front() == now.back()) now.pop_back();
+    if (now.size() >= 3) after.faces.push_back(std::move(now));
+  }
+  return after;
+}
+
+Corners round_of(const std::map<Label, Label>& next) {
+  Corners corners{next.begin()->first};
+  for (auto step = next.begin(); step != next.end(); step = next.find(corners.back())) {
+    if (step->second == corners[0] || corners.size() > next.size()) break;
+    corners.push_back(step->second);
+  }
+  return corners;
+}
+
 Surface::Surface(const FaceLists& lists) {
   for (std::size_t f = 0; f < lists.faces.size(); ++f) {
     const Corners& corners = lists.faces[f];
@@ -87,11 +111,15 @@ bool Surface::is_boundary_edge(Label a, Label b) const {
   return face_with_side(a, b).has_value() != face_with_side(b, a).has_value();
 }
 
-std::size_t Surface::loop_length(Label a, Label b) const {
-  std::size_t length = 1;
+Corners Surface::loop_of(Label a, Label b) const {
+  Corners loop{a};
   for (Label at = b; at != a; at = next_outside_.at(at))
-    ++length;
-  return length;
+    loop.push_back(at);
+  return loop;
+}
+
+bool Surface::is_outside(Label a, Label b) const {
+  return !face_with_side(a, b) && face_with_side(b, a);
 }
 
 MeshDump mesh_of(const FaceLists& lists) {

@@ -45,6 +45,14 @@ std::optional<std::size_t> place_of(const Corners& corners, Label label);
 /// The list, beginning with this corner, which must be there.
 Corners beginning_with(const Corners& corners, Label first);
 
+/// Makes one of some corners: each of them becomes `left`. Where that stands twice in a row it
+/// stands once then, and what has fewer than three corners goes.
+FaceLists merged(const FaceLists& before, const Corners& corners, Label left);
+
+/// The corners of a face, from the steps between them.
+/// @return in order; fewer than there are steps if these are no single round
+Corners round_of(const std::map<Label, Label>& next);
+
 /// Questions about a surface that does not change meanwhile.
 class Surface {
  public:
@@ -59,8 +67,10 @@ class Surface {
   const std::set<Label>& neighbours(Label vertex) const { return neighbours_.at(vertex); }
   /// The faces that have this corner, in ascending order.
   const std::vector<std::size_t>& faces_at(Label vertex) const { return faces_at_.at(vertex); }
-  /// How many edges the boundary loop of the side from `a` to `b`, outside, has.
-  std::size_t loop_length(Label a, Label b) const;
+  /// The corners of the boundary loop that has the side from `a` to `b`, outside, in its order.
+  Corners loop_of(Label a, Label b) const;
+  /// Whether no face has the side from `a` to `b`, but one has that from `b` to `a`.
+  bool is_outside(Label a, Label b) const;
 
  private:
   std::map<std::pair<Label, Label>, std::size_t> sides_;

@@ -19,6 +19,21 @@ Answer allow(Answer answer, std::string reason) {
   return answer;
 }
 
+Answer without_face(const FaceLists& before, std::size_t face) {
+  Answer answer;
+  answer.after = before;
+  answer.after.faces.erase(answer.after.faces.begin() + static_cast<std::ptrdiff_t>(face));
+  answer.first_free = static_cast<Label>(before.positions.size());
+  const Corners& corners = before.faces[face];
+  const Surface surface(answer.after);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Label a = corners[i];
+    const Label b = corners[(i + 1) % corners.size()];
+    if (surface.is_outside(a, b)) answer.returned.push_back(surface.loop_of(a, b));
+  }
+  return answer;
+}
+
 Answer settle(Answer answer) {
   if (answer.demand != Demand::kMust) return answer;
   std::string trouble = trouble_of(answer.after);

@@ -30,9 +30,9 @@ struct Answer {
   /// Corners from here on are new or may be: any vertex that the operation need not keep can
   /// stand there. All others are old vertices, which stay what they are.
   Label first_free = 0;
-  /// The corners of the element that is returned, of the kind that the operation says; empty if
-  /// any of that kind is right.
-  Corners returned = {};
+  /// The elements that may be returned, each by its corners, of the kind that the operation
+  /// says; a boundary loop by those that it passes, in its order.
+  std::vector<Corners> returned = {};
   /// Of a vertex that is returned: where its half-edge may lead; empty if anywhere.
   Corners anchored_to = {};
 };
@@ -40,6 +40,10 @@ struct Answer {
 /// The two kinds of answers that need no more than a word.
 Answer refuse(const FaceLists& before, std::string reason);
 Answer allow(Answer answer, std::string reason);
+
+/// A face goes, and the outside takes its place: each boundary loop that passes one of its old
+/// sides may be returned. A vertex that had no other face goes, too.
+Answer without_face(const FaceLists& before, std::size_t face);
 
 struct LocalOperation {
   std::string exercise;  ///< "edge_collapse"

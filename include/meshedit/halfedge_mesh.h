@@ -167,6 +167,10 @@ class Face : public detail::Element, public detail::Added<Face> {
 
  protected:
   friend struct detail::Inspector;
+  template <class T>
+  friend class Handle;
+
+  static std::uint64_t listOf(const Face& face) { return face._isBoundary ? 1 : 0; }
 
   HalfedgeIter _halfedge;
   bool _isBoundary;

@@ -89,6 +89,43 @@ class PolyMesh : public HalfedgeMesh {
   ///
   /// @return the face in the middle
   MESHEDIT_YOURS std::optional<FaceIter> extrudeFace(FaceIter f);
+  /// EXERCISE face_collapse. Shrinks a face to one vertex, at the mean of its corners. The
+  /// faces beside it lose a corner for each side that they share with it; a triangle there
+  /// vanishes, and its two other edges become one.
+  ///
+  /// Refuses where no surface would be left: for example if the face touches a boundary in two
+  /// places, or if another face has two of its corners and not the side between them.
+  ///
+  /// @return the vertex that is left: one of the corners, or a new one
+  MESHEDIT_YOURS std::optional<VertexIter> collapseFace(FaceIter f);
+
+  /// EXERCISE vertex_bevel. Puts a face in the place of a vertex: each edge there gets an end
+  /// of its own, AT THE PLACE OF THE VERTEX, and these are the corners of the face. On a
+  /// boundary, one side of the new face lies on it.
+  ///
+  /// Refuses a vertex with two edges.
+  ///
+  /// @return the new face
+  MESHEDIT_YOURS std::optional<FaceIter> bevelVertex(VertexIter v);
+
+  /// EXERCISE edge_bevel. Puts a face in the place of an edge: each OTHER edge at its two ends
+  /// gets an end of its own, at the place of the old one, and these are the corners of the
+  /// face.
+  ///
+  /// Refuses a boundary edge, and an edge whose ends have no third edge.
+  ///
+  /// @return the new face
+  MESHEDIT_YOURS std::optional<FaceIter> bevelEdge(EdgeIter e);
+
+  /// EXERCISE face_remove. Takes a face away, and the outside takes its place: a new boundary
+  /// loop, or the loops that the face touches grow into it. What lay on a boundary, and has no
+  /// face then, goes: sides of the face, and corners between two of them.
+  ///
+  /// Refuses where no surface would be left: if the face touches a boundary in a corner and not
+  /// in a side there, or if all of its sides lie on a boundary.
+  ///
+  /// @return a boundary loop that passes an old side of the face
+  MESHEDIT_YOURS std::optional<FaceIter> removeFace(FaceIter f);
 };
 
 }  // namespace meshedit

@@ -220,6 +220,25 @@ TEST_F(Handles, SetsAreInTheOrderOfTheList) {
   }
 }
 
+TEST_F(Handles, SetsTellBoundaryLoopsFromFaces) {
+  HalfedgeMesh mesh = mesh_of(sheet(2, 2));
+  std::set<FaceIter> set;
+  std::map<FaceCIter, bool> is_boundary;
+  for (HalfedgeIter h = mesh.halfedgesBegin(); h != mesh.halfedgesEnd(); ++h) {
+    set.insert(h->face());
+    is_boundary[h->face()] = h->isBoundary();
+  }
+  EXPECT_EQ(set.size(), mesh.nFaces() + mesh.nBoundaries());
+  for (const auto& [face, outside] : is_boundary)
+    EXPECT_EQ(face->isBoundary(), outside);
+  EXPECT_TRUE(mesh.facesBegin() < mesh.boundariesBegin());
+  // A deleted loop keeps its place in the order.
+  const FaceIter loop = mesh.boundariesBegin();
+  mesh.deleteBoundary(loop);
+  EXPECT_EQ(set.count(loop), 1U);
+  EXPECT_EQ(set.count(mesh.facesBegin()), 1U);
+}
+
 TEST_F(Handles, ReferenceRewiresAndCopyDoesNot) {
   HalfedgeMesh mesh = mesh_of(diamond());
   const HalfedgeIter h = mesh.halfedgesBegin();

@@ -39,8 +39,8 @@ TEST(Surface, KnowsSidesNeighboursAndBoundaries) {
   EXPECT_EQ(surface.neighbours(1), (std::set<Label>{0, 2, 4}));
   EXPECT_EQ(surface.faces_at(2), (std::vector<std::size_t>{0, 1}));
   // Outside, the boundary runs the other way round: 0, 3, 2, 5, 4, 1.
-  EXPECT_EQ(surface.loop_length(0, 3), 6U);
-  EXPECT_EQ(surface.loop_length(1, 0), 6U);
+  EXPECT_EQ(surface.loop_of(0, 3).size(), 6U);
+  EXPECT_EQ(surface.loop_of(1, 0).size(), 6U);
 }
 
 TEST(FaceLists, TroubleIsWhatIsNoSurfaceOrADegenerateOne) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "grader/operations/local_operation_list.h"
 #include "grader/operations/picked_element.h"
@@ -23,7 +24,8 @@ const char* const kMeshes[] = {
 
 const char* const kOperations[] = {"edge_flip_polygon", "edge_split_polygon", "edge_collapse",
                                    "edge_dissolve",     "vertex_dissolve",    "vertex_inset",
-                                   "face_extrude"};
+                                   "face_extrude",      "face_collapse",      "vertex_bevel",
+                                   "edge_bevel",        "face_remove"};
 
 /// One operation on one element.
 struct Try {
@@ -83,6 +85,32 @@ std::ptrdiff_t triangles(const Try& tried) {
   return n;
 }
 
+/// Faces of which one corner only does not belong to the face that was picked.
+std::ptrdiff_t vanishing(const Try& tried) {
+  return std::count_if(
+      tried.lists.faces.begin(), tried.lists.faces.end(), [&](const Corners& face) {
+        return std::count_if(face.begin(), face.end(), [&](Label corner) {
+                 return !place_of(tried.picked.corners, corner);
+               }) == 1;
+      });
+}
+
+/// A side on a boundary goes, and so does a corner with no other face.
+Change without_the_face(const Try& tried) {
+  Change change{0, 0, -1};
+  const Corners& face = tried.picked.corners;
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    if (tried.surface.is_boundary_edge(face[i], face[(i + 1) % face.size()])) --change.edges;
+    if (tried.surface.faces_at(face[i]).size() == 1) --change.vertices;
+  }
+  return change;
+}
+
+std::ptrdiff_t edges_at(const Try& tried, std::size_t corner) {
+  return static_cast<std::ptrdiff_t>(
+      tried.surface.neighbours(tried.picked.corners[corner]).size());
+}
+
 /// By the closed forms of each operation.
 Change expected_change(const Try& tried) {
   const std::string& exercise = tried.operation.exercise;
@@ -100,6 +128,14 @@ Change expected_change(const Try& tried) {
   if (exercise == "vertex_dissolve")
     return tried.at_boundary() ? Change{-1, 1 - d, 2 - d} : Change{-1, -d, 1 - d};
   if (exercise == "vertex_inset") return {1, d, d - 1};
+  if (exercise == "face_collapse")
+    return {1 - d, -d - vanishing(tried), -1 - vanishing(tried)};
+  if (exercise == "vertex_bevel") return {edges_at(tried, 0) - 1, edges_at(tried, 0), 1};
+  if (exercise == "edge_bevel") {
+    const std::ptrdiff_t others = edges_at(tried, 0) + edges_at(tried, 1) - 2;
+    return {others - 2, others - 1, 1};
+  }
+  if (exercise == "face_remove") return without_the_face(tried);
   return {d, 2 * d, d};
 }
 
@@ -166,6 +202,22 @@ TEST(RightAnswer, OfADissolvedEdgeRefusesFacesThatShareMore) {
   EXPECT_EQ(demand("edge_dissolve", "quad_cube.dae", {0, 1}), Demand::kMust);
   EXPECT_EQ(demand("edge_dissolve", "pouch.obj", {0, 1}), Demand::kRefuse);
   EXPECT_EQ(demand("edge_dissolve", "single_quad.obj", {0, 1}), Demand::kRefuse);
+}
+
+TEST(RightAnswer, OfACollapsedFaceIsByWhatTouchesIt) {
+  const auto demands = [](const std::string& file) {
+    std::set<Demand> all;
+    const FaceLists lists = face_lists_of(sample_dump(file));
+    for (const Corners& face : lists.faces)
+      all.insert(find_local_operation("face_collapse")->answer(lists, {face}).demand);
+    return all;
+  };
+  EXPECT_EQ(demands("dodecahedron.obj"), std::set<Demand>{Demand::kMust});
+  EXPECT_EQ(demands("quad_cube.dae"), std::set<Demand>{Demand::kMust});
+  EXPECT_EQ(demands("tetrahedron.obj"), std::set<Demand>{Demand::kRefuse});
+  EXPECT_EQ(demands("single_quad.obj"), std::set<Demand>{Demand::kRefuse});
+  // Each quad of the ring touches both boundaries.
+  EXPECT_EQ(demands("ring_5.obj"), std::set<Demand>{Demand::kRefuse});
 }
 
 }  // namespace

@@ -158,6 +158,10 @@ inline Ref find_by_corners(const MeshDump& mesh, ElementKind kind, const Corners
                           : canonical(its) == canonical(corners);
     if (same) return element;
   }
+  for (Ref loop = 0; loop < mesh.boundaries.size() && kind == ElementKind::kFace; ++loop) {
+    if (canonical(corners_of(mesh, kind, loop | kBoundaryBit).corners) == canonical(corners))
+      return loop | kBoundaryBit;
+  }
   return kUnsetRef;
 }
 
@@ -174,9 +178,7 @@ inline std::vector<std::string> right_local_operations(const LocalOperationInput
     step.refused = answer.demand == Demand::kMust ? 0 : 1;
     if (step.refused == 0) {
       mesh = mesh_of(answer.after);
-      step.returned = answer.returned.empty()
-                          ? kBoundaryBit
-                          : find_by_corners(mesh, operation.returns, answer.returned);
+      step.returned = find_by_corners(mesh, operation.returns, answer.returned.at(0));
     }
     if (!answer.anchored_to.empty()) {
       for (Ref h = 0; h < mesh.halfedges.size(); ++h) {

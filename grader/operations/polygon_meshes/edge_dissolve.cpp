@@ -23,7 +23,7 @@ Answer dissolve_inside(const FaceLists& before, const Surface& surface, Label a,
   Answer answer;
   answer.after = before;
   answer.after.faces[f] = join(before.faces[f], before.faces[g], a, b);
-  answer.returned = answer.after.faces[f];
+  answer.returned = {answer.after.faces[f]};
   answer.after.faces.erase(answer.after.faces.begin() + static_cast<std::ptrdiff_t>(g));
   answer.first_free = static_cast<Label>(before.positions.size());
   return settle(std::move(answer));
@@ -36,11 +36,7 @@ Answer dissolve_at_boundary(const FaceLists& before, const Surface& surface, Lab
     if (corner != a && corner != b && surface.is_boundary(corner))
       return refuse(before, "the face beside it touches the boundary elsewhere, too");
   }
-  Answer answer;
-  answer.after = before;
-  answer.after.faces.erase(answer.after.faces.begin() + static_cast<std::ptrdiff_t>(f));
-  answer.first_free = static_cast<Label>(before.positions.size());
-  return settle(std::move(answer));
+  return settle(without_face(before, f));
 }
 
 Answer edge_dissolve_answer(const FaceLists& before, const Picked& picked) {

@@ -24,7 +24,7 @@ Answer edge_flip_polygon_answer(const FaceLists& before, const Picked& picked) {
   answer.after.faces[f] = of_f;
   answer.after.faces[g] = of_g;
   answer.first_free = static_cast<Label>(before.positions.size());
-  answer.returned = {c, d};
+  answer.returned = {Corners{c, d}};
   return settle(std::move(answer));
 }
 

@@ -21,7 +21,7 @@ Answer edge_split_polygon_answer(const FaceLists& before, const Picked& picked) 
   const Label m = answer.after.add(middle(before, picked.corners));
   if (const auto f = surface.face_with_side(a, b)) cut(answer.after, *f, a, m);
   if (const auto g = surface.face_with_side(b, a)) cut(answer.after, *g, b, m);
-  answer.returned = {m};
+  answer.returned = {Corners{m}};
   answer.anchored_to = {a, b};
   return settle(std::move(answer));
 }

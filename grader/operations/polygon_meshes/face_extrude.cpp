@@ -17,7 +17,7 @@ Answer face_extrude_answer(const FaceLists& before, const Picked& picked) {
     faces.push_back({face[i], face[next], copy[next], copy[i]});
   }
   answer.after.replace(face, faces);
-  answer.returned = copy;
+  answer.returned = {copy};
   return settle(std::move(answer));
 }
 

@@ -58,8 +58,8 @@ Answer vertex_dissolve_answer(const FaceLists& before, const Picked& picked) {
   }
   answer.after.faces.push_back(face);
   answer.first_free = static_cast<Label>(before.positions.size());
-  answer.returned = face;
-  if (boundary && surface.loop_length(v, face.back()) == 3)
+  answer.returned = {face};
+  if (boundary && surface.loop_of(v, face.back()).size() == 3)
     return refuse(before, "its boundary has three edges and would have two");
   if (boundary && surface.neighbours(v).size() == 2)
     return allow(std::move(answer), "it is the corner of one face only");

@@ -13,7 +13,7 @@ Answer vertex_inset_answer(const FaceLists& before, const Picked& picked) {
   for (std::size_t i = 0; i < face.size(); ++i)
     triangles.push_back({face[i], face[(i + 1) % face.size()], m});
   answer.after.replace(face, triangles);
-  answer.returned = {m};
+  answer.returned = {Corners{m}};
   return settle(std::move(answer));
 }
 

@@ -111,6 +111,9 @@ class Element {
   friend class meshedit::Halfedge;
   friend struct Inspector;
 
+  /// Which of the lists of its kind an element is in.
+  static std::uint64_t listOf(const Element& /*element*/) { return 0; }
+
   Tag tag_;
 };
 
