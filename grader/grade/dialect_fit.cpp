@@ -37,6 +37,7 @@ constexpr double kFloatTolerance = 1e-4;
 Assignment fit_to_scotty3d(Assignment assignment) {
   assignment.tolerance = std::max(assignment.tolerance, kFloatTolerance);
   for (ExerciseRubric& rubric : assignment.exercises) {
+    rubric.other_names.clear();  // an assignment may be fitted twice
     for (const Scotty3dFunction& function : scotty3d_functions())
       rubric.other_names.emplace_back(function.our_name, function.their_name);
   }

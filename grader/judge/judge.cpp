@@ -35,6 +35,8 @@ const char* signal_text(int signal) {
       return "it was aborted";
     case SIGILL:
       return "it ran into a place that is no code: does a function end without a return?";
+    case SIGTRAP:
+      return "it ran into a trap: an assertion of its own that does not hold?";
     case SIGKILL:
       return "it was killed";
     default:

@@ -10,8 +10,8 @@ struct Vec2 {
   Vec2(float x_, float y_) : x(x_), y(y_) {}
   explicit Vec2(float all) : x(all), y(all) {}
 
-  float& operator[](int i) { return data[i]; }
-  float operator[](int i) const { return data[i]; }
+  float& operator[](int i) { return i == 0 ? x : y; }
+  float operator[](int i) const { return i == 0 ? x : y; }
 
   Vec2 operator+(const Vec2& v) const { return {x + v.x, y + v.y}; }
   Vec2 operator+(float s) const { return {x + s, y + s}; }
@@ -46,13 +46,8 @@ struct Vec2 {
   Vec2 abs() const { return {std::abs(x), std::abs(y)}; }
   bool valid() const { return std::isfinite(x) && std::isfinite(y); }
 
-  union {
-    struct {
-      float x;
-      float y;
-    };
-    float data[2] = {};
-  };
+  float x = 0.0f;
+  float y = 0.0f;
 };
 
 inline Vec2 operator+(float s, const Vec2& v) {

@@ -13,8 +13,8 @@ struct Vec3 {
   explicit Vec3(const Vec2& v, float z_ = 0.0f) : x(v.x), y(v.y), z(z_) {}
   explicit Vec3(float all) : x(all), y(all), z(all) {}
 
-  float& operator[](int i) { return data[i]; }
-  float operator[](int i) const { return data[i]; }
+  float& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+  float operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
 
   Vec3 operator+(const Vec3& v) const { return {x + v.x, y + v.y, z + v.z}; }
   Vec3 operator+(float s) const { return {x + s, y + s, z + s}; }
@@ -52,14 +52,9 @@ struct Vec3 {
   Vec2 xz() const { return {x, z}; }
   Vec2 yz() const { return {y, z}; }
 
-  union {
-    struct {
-      float x;
-      float y;
-      float z;
-    };
-    float data[3] = {};
-  };
+  float x = 0.0f;
+  float y = 0.0f;
+  float z = 0.0f;
 };
 
 inline Vec3 operator+(float s, const Vec3& v) {

@@ -13,8 +13,8 @@ struct Vec4 {
   Vec4(const Vec3& v, float w_) : x(v.x), y(v.y), z(v.z), w(w_) {}
   explicit Vec4(float all) : x(all), y(all), z(all), w(all) {}
 
-  float& operator[](int i) { return data[i]; }
-  float operator[](int i) const { return data[i]; }
+  float& operator[](int i) { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
+  float operator[](int i) const { return i == 0 ? x : i == 1 ? y : i == 2 ? z : w; }
 
   Vec4 operator+(const Vec4& v) const { return {x + v.x, y + v.y, z + v.z, w + v.w}; }
   Vec4 operator+(float s) const { return {x + s, y + s, z + s, w + s}; }
@@ -55,15 +55,10 @@ struct Vec4 {
   /// The point with these homogeneous coordinates.
   Vec3 project() const { return {x / w, y / w, z / w}; }
 
-  union {
-    struct {
-      float x;
-      float y;
-      float z;
-      float w;
-    };
-    float data[4] = {};
-  };
+  float x = 0.0f;
+  float y = 0.0f;
+  float z = 0.0f;
+  float w = 0.0f;
 };
 
 inline Vec4 operator+(float s, const Vec4& v) {
