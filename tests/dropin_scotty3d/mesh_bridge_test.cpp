@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "grader/base/wire.h"
 #include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
 
@@ -106,9 +107,8 @@ TEST(Scotty3dBridge, PutsNewElementsLastAlsoInPlacesThatWereFree) {
 }
 
 TEST(Scotty3dBridge, AFaceThatBecomesABoundaryIsABoundaryLoop) {
-  const auto [before, after] = change([](Halfedge_Mesh& theirs) {
-    theirs.faces.begin()->boundary = true;
-  });
+  const auto [before, after] =
+      change([](Halfedge_Mesh& theirs) { theirs.faces.begin()->boundary = true; });
   EXPECT_EQ(before.boundaries.size(), 1U);
   EXPECT_EQ(after.faces[0].live, 0U);
   ASSERT_EQ(after.boundaries.size(), 2U);

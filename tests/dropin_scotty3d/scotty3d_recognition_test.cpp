@@ -30,9 +30,10 @@ void write(const fs::path& file, const std::string& text) {
 void put_into_scotty3d_project(const fs::path& homework, const fs::path& project) {
   const fs::path geometry = project / "src" / "geometry";
   fs::create_directories(geometry);
-  for (const char* name : {"halfedge.cpp", "halfedge-utility.cpp", "indexed.cpp", "spline.cpp",
-                           "util.cpp"}) {
-    write(geometry / name, "#include \"halfedge.h\"\nint Halfedge_Mesh::of_course() { return 1; }\n");
+  for (const char* name :
+       {"halfedge.cpp", "halfedge-utility.cpp", "indexed.cpp", "spline.cpp", "util.cpp"}) {
+    write(geometry / name,
+          "#include \"halfedge.h\"\nint Halfedge_Mesh::of_course() { return 1; }\n");
   }
   for (const char* name : {"halfedge.h", "indexed.h", "spline.h", "util.h"})
     write(geometry / name, "#pragma once\nclass Of_Course;\n");
@@ -73,9 +74,10 @@ TEST_P(Scotty3dProject, MayLieInAnArchive) {
   const ScratchFolder hand_in;
   const Submission alone = find_submission(kScotty3dHomework / GetParam(), SubmissionRules());
   const std::string archive = (hand_in.path() / "a2.tar.gz").string();
-  ASSERT_EQ(std::system(("tar -czf " + archive + " -C " + folder.path().string() + " Scotty3D")
-                            .c_str()),
-            0);
+  ASSERT_EQ(
+      std::system(
+          ("tar -czf " + archive + " -C " + folder.path().string() + " Scotty3D").c_str()),
+      0);
   expect_same_scotty3d_work(alone, find_submission(archive, SubmissionRules()));
 }
 
@@ -95,9 +97,9 @@ TEST(Scotty3dProject, LeavesOutTheCoursesFilesInOneLine) {
 
 TEST(Scotty3dFiles, ASourceWithAGradedFunctionIsTheStudentsWhateverItsName) {
   EXPECT_TRUE(is_scotty3d_course_file({"halfedge.cpp", "void Halfedge_Mesh::swap() {}\n"}));
-  EXPECT_FALSE(is_scotty3d_course_file(
-      {"halfedge.cpp",
-       "std::optional<Halfedge_Mesh::EdgeRef> Halfedge_Mesh::flip_edge(EdgeRef e) { return e; }"}));
+  EXPECT_FALSE(is_scotty3d_course_file({"halfedge.cpp",
+                                        "std::optional<Halfedge_Mesh::EdgeRef> "
+                                        "Halfedge_Mesh::flip_edge(EdgeRef e) { return e; }"}));
   EXPECT_FALSE(is_scotty3d_course_file({"my_helpers.cpp", "int n;\n"}));
 }
 
@@ -119,11 +121,12 @@ TEST(Scotty3dDialect, IsKnownByNameOrByItsFunctions) {
 }
 
 TEST(Scotty3dDialect, OfEarlierYearsIsAnotherOne) {
-  EXPECT_NE(dialect_of("meshedit.cpp",
-                       "std::optional<Halfedge_Mesh::EdgeRef> Halfedge_Mesh::flip_edge(Halfedge_"
-                       "Mesh::EdgeRef e) { HalfedgeRef h = e->halfedge(); h->next() = h->twin(); "
-                       "return e; }"),
-            Dialect::kScotty3d);
+  EXPECT_NE(
+      dialect_of("meshedit.cpp",
+                 "std::optional<Halfedge_Mesh::EdgeRef> Halfedge_Mesh::flip_edge(Halfedge_"
+                 "Mesh::EdgeRef e) { HalfedgeRef h = e->halfedge(); h->next() = h->twin(); "
+                 "return e; }"),
+      Dialect::kScotty3d);
 }
 
 TEST(Scotty3dDialect, IsOfTheSecondAssignment) {

@@ -33,7 +33,8 @@ bool contains_text(const std::string& text, const std::string& part) {
 
 const std::string kScotty3dHeader =
     "class Halfedge_Mesh {\npublic:\n"
-    "  class Vertex { public: HalfedgeRef halfedge; Index id; bool is_new; uint32_t degree() const; };\n"
+    "  class Vertex { public: HalfedgeRef halfedge; Index id; bool is_new; uint32_t degree() "
+    "const; };\n"
     "  class Halfedge {\n   public:\n"
     "    HalfedgeRef twin, next;\n"
     "    HalfedgeRef prev();\n"
@@ -46,10 +47,10 @@ const std::string kScotty3dHeader =
     "inline int helper() { return 1; }\n";
 
 TEST(Scotty3dSplice, TakesWhatIsUsedAndTheCourseDoesNotHave) {
-  const MemberSplice splice(
-      scotty3d_with("h->prev(); v->is_new = helper(); set_corner_normals();", kScotty3dHeader,
-                    "Halfedge_Mesh::HalfedgeRef Halfedge_Mesh::Halfedge::prev() { return next; }\n"
-                    "int Halfedge_Mesh::of_course() { return 1; }\n"));
+  const MemberSplice splice(scotty3d_with(
+      "h->prev(); v->is_new = helper(); set_corner_normals();", kScotty3dHeader,
+      "Halfedge_Mesh::HalfedgeRef Halfedge_Mesh::Halfedge::prev() { return next; }\n"
+      "int Halfedge_Mesh::of_course() { return 1; }\n"));
   EXPECT_TRUE(contains_text(spliced(splice, "scotty3d_added_vertex.h"), "bool is_new{};"));
   EXPECT_FALSE(contains_text(spliced(splice, "scotty3d_added_vertex.h"), "degree"));
   const std::string halfedge = spliced(splice, "scotty3d_added_halfedge.h");
@@ -58,7 +59,8 @@ TEST(Scotty3dSplice, TakesWhatIsUsedAndTheCourseDoesNotHave) {
   EXPECT_FALSE(contains_text(halfedge, "unused"));
   EXPECT_TRUE(contains_text(spliced(splice, "scotty3d_added_mesh.h"), "threshold = 30.0f"));
   const std::string after = spliced(splice, "scotty3d_added_after.h");
-  EXPECT_TRUE(contains_text(after, "inline Halfedge_Mesh::HalfedgeRef Halfedge_Mesh::Halfedge"));
+  EXPECT_TRUE(
+      contains_text(after, "inline Halfedge_Mesh::HalfedgeRef Halfedge_Mesh::Halfedge"));
   EXPECT_TRUE(contains_text(after, "inline int helper()"));
   EXPECT_FALSE(contains_text(after, "of_course"));
 }
@@ -69,10 +71,12 @@ TEST(Scotty3dSplice, DeclaresWhatTheSourcesDefine) {
       "Halfedge_Mesh::FaceRef Halfedge_Mesh::add_face(std::vector<VertexRef> const &all,\n"
       "    bool boundary) { return faces.end(); }\n"
       "bool Halfedge_Mesh::Edge::is_long() const { return true; }\n"
-      "std::optional<Halfedge_Mesh::EdgeRef> Halfedge_Mesh::flip_edge(EdgeRef e) { return e; }\n"));
+      "std::optional<Halfedge_Mesh::EdgeRef> Halfedge_Mesh::flip_edge(EdgeRef e) { return e; "
+      "}\n"));
   const std::string mesh = spliced(splice, "scotty3d_added_mesh.h");
-  EXPECT_TRUE(contains_text(mesh, "Halfedge_Mesh::FaceRef add_face(std::vector<VertexRef> const "
-                                  "&all,\n    bool boundary)"))
+  EXPECT_TRUE(contains_text(mesh,
+                            "Halfedge_Mesh::FaceRef add_face(std::vector<VertexRef> const "
+                            "&all,\n    bool boundary)"))
       << mesh;
   EXPECT_TRUE(contains_text(mesh, "#line 3 \"halfedge-local.cpp\""));
   EXPECT_FALSE(contains_text(mesh, "flip_edge"));
@@ -81,8 +85,9 @@ TEST(Scotty3dSplice, DeclaresWhatTheSourcesDefine) {
 }
 
 TEST(Scotty3dSplice, LetsGoOfADeclarationThatDoesNotCompile) {
-  MemberSplice splice(scotty3d_with("void Halfedge_Mesh::cost(Edge_Record r) {}\n"
-                                    "void Halfedge_Mesh::fine() {}\n"));
+  MemberSplice splice(
+      scotty3d_with("void Halfedge_Mesh::cost(Edge_Record r) {}\n"
+                    "void Halfedge_Mesh::fine() {}\n"));
   splice.drop_blamed("halfedge-local.cpp:1:12: error: 'Edge_Record' has not been declared\n");
   const std::string mesh = spliced(splice, "scotty3d_added_mesh.h");
   EXPECT_FALSE(contains_text(mesh, "cost"));
