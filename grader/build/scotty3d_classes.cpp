@@ -64,7 +64,8 @@ const std::map<std::string, Words>& our_members() {
         "describe",
         "validate",
         "from_indexed_faces",
-        "cube"}}};
+        "cube",
+        "catmark_subdivide_helper"}}};
   return members;
 }
 
@@ -138,7 +139,6 @@ std::vector<AddedPiece> scotty3d_members_defined(
 bool is_provided_by_scotty3d(const std::string& name) {
   static const Words provided{"add_face",
                               "bisect_edge",
-                              "catmark_subdivide_helper",
                               "flip_orientation",
                               "set_corner_normals",
                               "set_corner_uvs_per_face",

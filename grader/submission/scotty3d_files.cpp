@@ -28,10 +28,17 @@ bool has_pointers_as_functions(const SourceFile& file) {
 
 const std::vector<Scotty3dFunction>& scotty3d_functions() {
   static const std::vector<Scotty3dFunction> functions{
-#define SCOTTY3D_FUNCTION(exercise, ours, theirs, Result, Argument) \
+#define SCOTTY3D_NAMES(exercise, ours, theirs) \
   {#exercise, "PolyMesh::" #ours, "Halfedge_Mesh::" #theirs},
+#define SCOTTY3D_FUNCTION(exercise, ours, theirs, Result, Argument) \
+  SCOTTY3D_NAMES(exercise, ours, theirs)
+#define SCOTTY3D_FUNCTION_OF_TWO(exercise, ours, theirs, Result, Argument) \
+  SCOTTY3D_NAMES(exercise, ours, theirs)
+#define SCOTTY3D_MESH_FUNCTION(exercise, ours, theirs, Result) \
+  SCOTTY3D_NAMES(exercise, ours, theirs)
+#define SCOTTY3D_REFINEMENT(exercise, ours, theirs) SCOTTY3D_NAMES(exercise, ours, theirs)
 #include "include/dropin_scotty3d/functions.inc"
-#undef SCOTTY3D_FUNCTION
+#undef SCOTTY3D_NAMES
   };
   return functions;
 }

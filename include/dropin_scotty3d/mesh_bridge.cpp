@@ -157,16 +157,16 @@ void MeshBridge::write_pointers() {
   });
 }
 
-VertexIter MeshBridge::ours(const Reference<Halfedge_Mesh::Vertex>& v) const {
+VertexIter MeshBridge::ours(const Reference<const Halfedge_Mesh::Vertex>& v) const {
   return vertices_.ours(v, strays().vertex);
 }
-EdgeIter MeshBridge::ours(const Reference<Halfedge_Mesh::Edge>& e) const {
+EdgeIter MeshBridge::ours(const Reference<const Halfedge_Mesh::Edge>& e) const {
   return edges_.ours(e, strays().edge);
 }
-FaceIter MeshBridge::ours(const Reference<Halfedge_Mesh::Face>& f) const {
+FaceIter MeshBridge::ours(const Reference<const Halfedge_Mesh::Face>& f) const {
   return faces_.ours(f, strays().face);
 }
-HalfedgeIter MeshBridge::ours(const Reference<Halfedge_Mesh::Halfedge>& h) const {
+HalfedgeIter MeshBridge::ours(const Reference<const Halfedge_Mesh::Halfedge>& h) const {
   return halfedges_.ours(h, strays().halfedge);
 }
 

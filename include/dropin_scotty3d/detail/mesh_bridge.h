@@ -83,7 +83,7 @@ class Pairing {
   /// After settle(): ours for a pointer of theirs, which is not followed. An erased element is
   /// a deleted one, and the end of a list is no element; what is of no list here becomes
   /// `stray`.
-  Handle<Ours> ours(const Reference<Theirs>& reference, Ours* stray) const {
+  Handle<Ours> ours(const Reference<const Theirs>& reference, Ours* stray) const {
     const Link* link = reference.link();
     if (link == nullptr || list_.is_end(link)) return {};
     const auto found = ours_.find(link);
@@ -131,12 +131,12 @@ class MeshBridge {
   void write_back();
 
   /// After write_back().
-  VertexIter ours(const Reference<Halfedge_Mesh::Vertex>& v) const;
-  EdgeIter ours(const Reference<Halfedge_Mesh::Edge>& e) const;
-  FaceIter ours(const Reference<Halfedge_Mesh::Face>& f) const;
+  VertexIter ours(const Reference<const Halfedge_Mesh::Vertex>& v) const;
+  EdgeIter ours(const Reference<const Halfedge_Mesh::Edge>& e) const;
+  FaceIter ours(const Reference<const Halfedge_Mesh::Face>& f) const;
 
  private:
-  HalfedgeIter ours(const Reference<Halfedge_Mesh::Halfedge>& h) const;
+  HalfedgeIter ours(const Reference<const Halfedge_Mesh::Halfedge>& h) const;
   void fill_pointers();
   void settle_vertices();
   void settle_edges();

@@ -191,8 +191,18 @@ class Halfedge_Mesh {
 // The graded functions.
 #define SCOTTY3D_FUNCTION(exercise, ours, theirs, Result, Argument) \
   std::optional<Result##Ref> theirs(Argument##Ref);
+#define SCOTTY3D_FUNCTION_OF_TWO(exercise, ours, theirs, Result, Argument) \
+  std::optional<Result##Ref> theirs(Argument##Ref, Argument##Ref);
+#define SCOTTY3D_MESH_FUNCTION(exercise, ours, theirs, Result) Result theirs();
+#define SCOTTY3D_REFINEMENT(exercise, ours, theirs) void theirs();
 #include "../functions.inc"
-#undef SCOTTY3D_FUNCTION
+
+  /// In the course it makes the mesh of the next level, with these positions. Here it takes down
+  /// the positions, which are all that students write, and leaves the mesh as it is.
+  void catmark_subdivide_helper(
+      const std::unordered_map<VertexCRef, Vec3>& vertex_positions,
+      const std::unordered_map<EdgeCRef, Vec3>& edge_vertex_positions,
+      const std::unordered_map<FaceCRef, Vec3>& face_vertex_positions);
 
   struct Isotropic_Remesh_Parameters {
     std::uint32_t outer_iterations = 3;
