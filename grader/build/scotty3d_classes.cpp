@@ -143,13 +143,6 @@ bool is_provided_by_scotty3d(const std::string& name) {
                               "set_corner_normals",
                               "set_corner_uvs_per_face",
                               "set_corner_uvs_project",
-                              "extrude_positions",
-                              "bevel_positions",
-                              "weld_edges",
-                              "triangulate",
-                              "linear_subdivide",
-                              "catmark_subdivide",
-                              "loop_subdivide",
                               "isotropic_remesh",
                               "simplify"};
   return provided.count(name) != 0;

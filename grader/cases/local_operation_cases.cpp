@@ -28,9 +28,44 @@ const std::vector<std::string>& closed_meshes() {
 
 const std::vector<std::string>& open_meshes() {
   static const std::vector<std::string> files{
-      "mixed_strip.obj", "quad_grid_3x3.obj",   "tube_6.obj",     "ring_5.obj",
-      "fan.obj",         "single_triangle.obj", "single_quad.obj"};
+      "mixed_strip.obj", "quad_grid_3x3.obj",   "tube_6.obj",      "ring_5.obj",
+      "fan.obj",         "single_triangle.obj", "single_quad.obj", "two_patches.obj"};
   return files;
+}
+
+/// The elements that an operation can be asked about: the places of one, or of two.
+using Places = std::vector<std::uint32_t>;
+
+/// Each element; of operations that pick two, each pair of those at a boundary, in one of its
+/// two orders, and some other pairs.
+std::vector<Places> all_places(const LocalOperation& operation, const MeshDump& built) {
+  const Surface surface(face_lists_of(built));
+  const std::uint32_t n = count_elements(built, operation.picks);
+  std::vector<Places> all;
+  std::vector<std::uint32_t> at_boundary;
+  for (std::uint32_t place = 0; place < n; ++place) {
+    if (!operation.picks_two) {
+      all.push_back({place});
+      continue;
+    }
+    const Corners corners = pick(built, operation.picks, place).corners;
+    if (!surface.is_boundary_edge(corners[0], corners[1])) {
+      all.push_back({place, (place + 1) % n});
+      continue;
+    }
+    all.push_back({place, place});
+    for (std::uint32_t other : at_boundary)
+      all.push_back((place + other) % 2 == 0 ? Places{place, other} : Places{other, place});
+    at_boundary.push_back(place);
+  }
+  return all;
+}
+
+/// What these places ask for.
+Picked pick_all(const LocalOperation& operation, const MeshDump& built, const Places& places) {
+  Picked picked = pick(built, operation.picks, places[0]);
+  if (operation.picks_two) picked.partner = pick(built, operation.picks, places[1]).corners;
+  return picked;
 }
 
 /// Whether an element touches a boundary.
@@ -56,14 +91,13 @@ class OperationCases {
     const MeshDump built = built_mesh(mesh);
     const FaceLists lists = face_lists_of(built);
     const Surface surface(lists);
-    const std::uint32_t n = count_elements(built, operation_.picks);
-    for (std::uint32_t place = 0; place < n; ++place) {
-      const Picked picked = pick(built, operation_.picks, place);
+    for (const Places& places : all_places(operation_, built)) {
+      const Picked picked = pick_all(operation_, built, places);
       const Answer answer = operation_.answer(lists, picked);
       const char* group =
           anchor_turns != 0 ? "stress" : group_of(answer, touches_boundary(surface, picked));
       add(group, title(picked, file) + anchors_text(anchor_turns),
-          {file, mesh, anchor_turns, {place}}, kBudget);
+          {file, mesh, anchor_turns, places}, kBudget);
     }
   }
 
@@ -85,12 +119,14 @@ class OperationCases {
   void add_refused_again(const std::string& file) {
     const PolygonMesh mesh = maker_.mesh(file);
     const MeshDump built = built_mesh(mesh);
-    for (std::uint32_t place = 0; place < count_elements(built, operation_.picks); ++place) {
-      const Picked picked = pick(built, operation_.picks, place);
+    for (const Places& places : all_places(operation_, built)) {
+      const Picked picked = pick_all(operation_, built, places);
       if (operation_.answer(face_lists_of(built), picked).demand != Demand::kRefuse) continue;
+      Places four_times;
+      for (int i = 0; i < 4; ++i)
+        four_times.insert(four_times.end(), places.begin(), places.end());
       maker_.add_fresh("stress", title(picked, file) + ", four times, before anything else",
-                       4 * kBudget,
-                       LocalOperationInput{file, mesh, 0, {place, place, place, place}},
+                       4 * kBudget, LocalOperationInput{file, mesh, 0, four_times},
                        {operation_.function});
     }
   }
@@ -99,20 +135,20 @@ class OperationCases {
   void add_high_valences(const std::string& name, const PolygonMesh& mesh) {
     const MeshDump built = built_mesh(mesh);
     const Surface surface(face_lists_of(built));
-    std::vector<std::uint32_t> places;
-    for (std::uint32_t place = 0; place < count_elements(built, operation_.picks); ++place) {
-      const Picked picked = pick(built, operation_.picks, place);
-      if (std::any_of(picked.corners.begin(), picked.corners.end(),
+    std::vector<Places> high;
+    for (Places& places : all_places(operation_, built)) {
+      const Corners corners = pick_all(operation_, built, places).corners;
+      if (std::any_of(corners.begin(), corners.end(),
                       [&](Label corner) { return surface.neighbours(corner).size() > 12; }))
-        places.push_back(place);
+        high.push_back(std::move(places));
     }
     constexpr std::size_t kMost = 12;
-    const std::size_t step = std::max<std::size_t>(1, places.size() / kMost);
-    for (std::size_t i = 0; i < places.size(); i += step) {
+    const std::size_t step = std::max<std::size_t>(1, high.size() / kMost);
+    for (std::size_t i = 0; i < high.size(); i += step) {
+      const Picked picked = pick_all(operation_, built, high[i]);
       for (const std::uint32_t anchor_turns : {0U, 1U, 2U})
-        add("stress",
-            title(pick(built, operation_.picks, places[i]), name) + anchors_text(anchor_turns),
-            {name, mesh, anchor_turns, {places[i]}}, kBudget);
+        add("stress", title(picked, name) + anchors_text(anchor_turns),
+            {name, mesh, anchor_turns, high[i]}, kBudget);
     }
   }
 
@@ -129,8 +165,10 @@ class OperationCases {
     const std::uint32_t inside =
         touches_boundary(surface, in_a_row) ? middle : middle + kSide / 2;
     for (const std::uint32_t place : {inside, 0U}) {
-      add("stress", title(pick(built, operation_.picks, place), "a grid of 10,000 quads"),
-          {"a grid of 10,000 quads", mesh, 0, {place}},
+      Places places{place};
+      if (operation_.picks_two) places.push_back(place + 2 * kSide);
+      add("stress", title(pick_all(operation_, built, places), "a grid of 10,000 quads"),
+          {"a grid of 10,000 quads", mesh, 0, places},
           place == inside ? kBudget / 10 : kBudget);
     }
   }
@@ -143,39 +181,33 @@ class OperationCases {
            ", one after the other";
   }
 
-  static LocalOperationInput drawn(const std::string& name, const PolygonMesh& mesh,
-                                   Random& random) {
+  LocalOperationInput drawn(const std::string& name, const PolygonMesh& mesh,
+                            Random& random) const {
     LocalOperationInput input{name, mesh, 0, {}};
-    for (std::size_t i = 0; i < kLength; ++i)
+    for (std::size_t i = 0; i < kLength * (operation_.picks_two ? 2 : 1); ++i)
       input.places.push_back(random.below(10'000));
     return input;
   }
 
   std::string title(const Picked& picked, const std::string& mesh) const {
-    std::string element = kind_name(operation_.picks);
-    std::vector<std::string> corners;
-    for (Label corner : picked.corners)
-      corners.push_back(vertex_name(corner));
-    return operation_.verb + " the " + element + " " + join(corners, "-") + " of " + mesh;
+    const std::string kind = kind_name(operation_.picks);
+    if (operation_.picks_two)
+      return operation_.verb + " the " + kind + "s " + corners_text(picked.corners) + " and " +
+             corners_text(picked.partner) + " of " + mesh;
+    return operation_.verb + " the " + kind + " " + corners_text(picked.corners) + " of " +
+           mesh;
+  }
+
+  static std::string corners_text(const Corners& corners) {
+    std::vector<std::string> names;
+    for (Label corner : corners)
+      names.push_back(vertex_name(corner));
+    return join(names, "-");
   }
 
   void add(const std::string& group, const std::string& title, const LocalOperationInput& input,
            std::uint64_t budget) {
     maker_.add(group, title, budget, input, {operation_.function});
-  }
-
-  static PolygonMesh quad_grid(std::uint32_t columns, std::uint32_t rows) {
-    PolygonMesh mesh;
-    for (std::uint32_t y = 0; y <= rows; ++y) {
-      for (std::uint32_t x = 0; x <= columns; ++x)
-        mesh.positions.push_back({static_cast<double>(x), static_cast<double>(y), 0.0});
-    }
-    const auto at = [&](std::uint32_t x, std::uint32_t y) { return y * (columns + 1) + x; };
-    for (std::uint32_t y = 0; y < rows; ++y) {
-      for (std::uint32_t x = 0; x < columns; ++x)
-        mesh.polygons.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
-    }
-    return mesh;
   }
 
   CaseMaker& maker_;

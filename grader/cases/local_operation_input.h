@@ -16,7 +16,8 @@ struct LocalOperationInput {
   PolygonMesh mesh;
   std::uint32_t anchor_turns = 0;  ///< how often every element gets the next anchor around it
   /// One operation after the other: each on the element with this place among the live ones of
-  /// its kind then, counted on from the beginning if there are fewer.
+  /// its kind then, counted on from the beginning if there are fewer. Two for each operation
+  /// that picks two.
   std::vector<std::uint32_t> places;
 
   template <class Wire>
@@ -28,13 +29,14 @@ struct LocalOperationInput {
 /// What one operation left behind.
 struct LocalStep {
   Ref picked = kUnsetRef;     ///< the element that was asked for
+  Ref partner = kUnsetRef;    ///< the second one, of operations that pick two
   std::uint32_t refused = 0;  ///< std::nullopt was returned
   Ref returned = kUnsetRef;   ///< the element that was returned, if it did not refuse
   MeshDump after;
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(picked, refused, returned, after);
+    wire(picked, partner, refused, returned, after);
   }
 };
 

@@ -64,6 +64,38 @@ PolygonMesh bipyramid(std::uint32_t n) {
   return in_build_order(mesh);
 }
 
+PolygonMesh prism(std::uint32_t n) {
+  PolygonMesh mesh;
+  std::vector<std::uint32_t> base;
+  std::vector<std::uint32_t> top;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / n;
+    mesh.positions.push_back({2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0});
+    mesh.positions.push_back({std::cos(angle), std::sin(angle), 1.5});
+    base.insert(base.begin(), 2 * i);
+    top.push_back(2 * i + 1);
+    const std::uint32_t next = 2 * ((i + 1) % n);
+    mesh.polygons.push_back({2 * i, next, next + 1, 2 * i + 1});
+  }
+  mesh.polygons.push_back(base);
+  mesh.polygons.push_back(top);
+  return mesh;
+}
+
+PolygonMesh quad_grid(std::uint32_t columns, std::uint32_t rows) {
+  PolygonMesh mesh;
+  for (std::uint32_t y = 0; y <= rows; ++y) {
+    for (std::uint32_t x = 0; x <= columns; ++x)
+      mesh.positions.push_back({static_cast<double>(x), static_cast<double>(y), 0.0});
+  }
+  const auto at = [&](std::uint32_t x, std::uint32_t y) { return y * (columns + 1) + x; };
+  for (std::uint32_t y = 0; y < rows; ++y) {
+    for (std::uint32_t x = 0; x < columns; ++x)
+      mesh.polygons.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+  }
+  return mesh;
+}
+
 TriangleSet::TriangleSet(const PolygonMesh& mesh)
     : vertices_(static_cast<std::uint32_t>(mesh.positions.size())) {
   for (const auto& t : mesh.polygons)

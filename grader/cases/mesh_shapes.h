@@ -40,6 +40,12 @@ PolygonMesh jittered(const PolygonMesh& mesh, double amount, Random& random);
 /// Two pyramids with a common base of n corners: two vertices of valence n.
 PolygonMesh bipyramid(std::uint32_t n);
 
+/// A tower with a base and a top of n corners and n quads around: the base wider than the top.
+PolygonMesh prism(std::uint32_t n);
+
+/// A flat grid of columns x rows unit squares.
+PolygonMesh quad_grid(std::uint32_t columns, std::uint32_t rows);
+
 /// The triangles of a mesh, indexed by their directed edges.
 class TriangleSet {
  public:

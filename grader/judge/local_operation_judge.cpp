@@ -25,6 +25,21 @@ std::string first_of(std::vector<std::string> faces) {
   return faces.empty() ? "no other face" : join(faces, ", ");
 }
 
+Picked picked_by(const MeshDump& before, const LocalOperation& operation,
+                 const LocalStep& step) {
+  Picked picked = corners_of(before, operation.picks, step.picked);
+  if (operation.picks_two)
+    picked.partner = corners_of(before, operation.picks, step.partner).corners;
+  return picked;
+}
+
+/// "e3", or "e3 and e7"
+std::string picked_text(const LocalOperation& operation, Ref picked, Ref partner) {
+  std::string text = element_name(operation.picks, picked);
+  if (operation.picks_two) text += " and " + element_name(operation.picks, partner);
+  return text;
+}
+
 /// Judges one operation, from a mesh that keeps all rules.
 class LocalStepJudge {
  public:
@@ -34,7 +49,7 @@ class LocalStepJudge {
         operation_(operation),
         before_(before),
         lists_(face_lists_of(before)),
-        picked_(corners_of(before, operation.picks, step.picked)),
+        picked_(picked_by(before, operation, step)),
         answer_(operation.answer(lists_, picked_)),
         step_(step),
         after_(step.after),
@@ -79,12 +94,13 @@ class LocalStepJudge {
                                                std::move(actual), std::move(look_at)));
   }
 
-  std::string name() const { return element_name(operation_.picks, step_.picked); }
+  std::string name() const { return picked_text(operation_, step_.picked, step_.partner); }
 
   std::string returned_text() const { return element_name(operation_.returns, step_.returned); }
 
   std::string done_text() const {
-    return name() + " can be done: " + operation_.verb + " it, and return a " +
+    return name() + " can be done: " + operation_.verb +
+           (operation_.picks_two ? " them" : " it") + ", and return the " +
            kind_name(operation_.returns);
   }
 
@@ -312,26 +328,30 @@ class LocalStepJudge {
   std::vector<RuleBreak> broken_;
 };
 
-std::string step_text(const LocalOperation& operation, const LocalOperationInput& input,
-                      std::size_t i, Ref element) {
-  if (input.places.size() == 1) return {};
-  return "after operation " + std::to_string(i + 1) + " of " +
-         std::to_string(input.places.size()) + ": " + operation.verb + " " +
-         element_name(operation.picks, element);
+std::string step_text(const LocalOperation& operation, std::size_t steps, std::size_t i,
+                      const LocalStep& step) {
+  if (steps == 1) return {};
+  return "after operation " + std::to_string(i + 1) + " of " + std::to_string(steps) + ": " +
+         operation.verb + " " + picked_text(operation, step.picked, step.partner);
 }
 
 void judge_local_operations(const JudgeTask& task, CaseJudgement& judgement) {
   const LocalOperation& operation = *find_local_operation(task.asked.exercise);
   const auto input = from_wire<LocalOperationInput>(task.asked.input);
-  if (task.outcome.steps.size() > input.places.size()) throw WireError("too many steps");
+  const std::size_t picks = operation.picks_two ? 2 : 1;
+  const std::size_t steps = input.places.size() / picks;
+  if (task.outcome.steps.size() > steps) throw WireError("too many steps");
   MeshDump before = built_mesh(input.mesh, input.anchor_turns);
   for (std::size_t i = 0; i < task.outcome.steps.size(); ++i) {
     // After a degenerate answer, lists of faces do not tell what is right.
     if (!trouble_of(face_lists_of(before)).empty()) return;
     auto step = from_wire<LocalStep>(task.outcome.steps[i]);
-    const Ref element = find_element(before, operation.picks, input.places[i]);
-    if (element == kUnsetRef || step.picked != element) throw WireError("another element");
-    LocalStepJudge(task, operation, before, step, step_text(operation, input, i, element),
+    for (std::size_t k = 0; k < picks; ++k) {
+      const Ref element = find_element(before, operation.picks, input.places[picks * i + k]);
+      if (element == kUnsetRef || (k == 0 ? step.picked : step.partner) != element)
+        throw WireError("another element");
+    }
+    LocalStepJudge(task, operation, before, step, step_text(operation, steps, i, step),
                    judgement)
         .judge();
     if (!judgement.findings.empty()) {
@@ -340,7 +360,7 @@ void judge_local_operations(const JudgeTask& task, CaseJudgement& judgement) {
     }
     before = std::move(step.after);
   }
-  require_all_steps(task.outcome, input.places.size());
+  require_all_steps(task.outcome, steps);
 }
 
 }  // namespace

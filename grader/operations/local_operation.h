@@ -1,7 +1,7 @@
 #pragma once
 
-// An operation on one element of a mesh, as data: what it is called, what is picked, and the
-// right answer, as lists of faces. Cases and judges of such exercises are made from it.
+// An operation on an element of a mesh, or on two, as data: what it is called, what is picked,
+// and the right answer, as lists of faces. Cases and judges of such exercises are made from it.
 
 #include <string>
 #include <vector>
@@ -13,6 +13,7 @@ namespace meshgrade {
 /// The element that an operation is about, by its corners.
 struct Picked {
   Corners corners;  ///< of a vertex itself, of an edge its ends, of a face all, in its order
+  Corners partner = {};  ///< of the second element, where two are picked
 };
 
 enum class Demand {
@@ -54,6 +55,7 @@ struct LocalOperation {
   Answer (*answer)(const FaceLists& before, const Picked& picked) = nullptr;
   /// What a mesh of the wrong numbers of elements most likely lacks: what to look at.
   std::string advice;
+  bool picks_two = false;  ///< two elements, one after the other, that may be the same
 };
 
 /// The same answer, but kEither if what would be left is degenerate, or no surface as far as

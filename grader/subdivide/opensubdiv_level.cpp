@@ -137,4 +137,11 @@ SubdivisionLevel opensubdiv_catmull_clark(const PolygonMesh& mesh, CornerRule co
   return result;
 }
 
+SubdivisionLevel opensubdiv_bilinear(const PolygonMesh& mesh) {
+  const auto refiner = refined_topology(mesh, Sdc::SCHEME_BILINEAR, CornerRule::kSmooth);
+  SubdivisionLevel result = read_level(*refiner, mesh);
+  read_middles(refiner->GetLevel(0), result);
+  return result;
+}
+
 }  // namespace meshgrade

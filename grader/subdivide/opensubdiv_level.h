@@ -39,4 +39,7 @@ SubdivisionLevel opensubdiv_loop(const PolygonMesh& mesh, VertexRule vertex_rule
 /// ends. Throws SubdivisionError if OpenSubdiv refuses the topology.
 SubdivisionLevel opensubdiv_catmull_clark(const PolygonMesh& mesh, CornerRule corner_rule);
 
+/// The same without smoothing: OpenSubdiv's bilinear scheme.
+SubdivisionLevel opensubdiv_bilinear(const PolygonMesh& mesh);
+
 }  // namespace meshgrade

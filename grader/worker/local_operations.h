@@ -3,6 +3,7 @@
 // Operations on one element of a mesh, called and written down. C++17.
 
 #include <optional>
+#include <tuple>
 
 #include "grader/base/wire.h"
 #include "grader/cases/local_operation_input.h"
@@ -40,31 +41,54 @@ meshedit::Handle<T> pick(const meshedit::HalfedgeMesh& mesh, std::uint32_t place
 
 }  // namespace local_operations_detail
 
+/// The results of the student's functions.
+template <class Out>
+using MaybeHandle = std::optional<meshedit::Handle<Out>>;
+
 /// Unpacks a LocalOperationInput, calls the student's function, and records a LocalStep for
-/// each element that is picked.
-template <class Out, class In>
-void run_local_operations(WireReader& input, Recorder& recorder,
-                          std::optional<meshedit::Handle<Out>> (meshedit::PolyMesh::*operation)(
-                              meshedit::Handle<In>)) {
+/// each operation.
+/// @tparam In the kinds of the elements that are picked for one operation
+template <class... In, class Operation>
+void run_picked_operations(WireReader& input, Recorder& recorder, Operation operation) {
   const auto asked = input.read<LocalOperationInput>();
   meshedit::PolyMesh mesh;
   build_mesh(asked.mesh, mesh);
   for (std::uint32_t i = 0; i < asked.anchor_turns; ++i)
     anchor_elsewhere(mesh);
-  for (std::uint32_t place : asked.places) {
-    const auto element = local_operations_detail::pick<In>(mesh, place);
+  for (std::size_t i = 0; i + sizeof...(In) <= asked.places.size(); i += sizeof...(In)) {
+    std::size_t next = i;
+    // In braces, so that they are picked in order.
+    const std::tuple<meshedit::Handle<In>...> elements{
+        local_operations_detail::pick<In>(mesh, asked.places[next++])...};
     LocalStep step;
-    step.picked = dump_handle(mesh, element);
+    step.picked = dump_handle(mesh, std::get<0>(elements));
+    if constexpr (sizeof...(In) == 2) step.partner = dump_handle(mesh, std::get<1>(elements));
     recorder.set_state_source([&mesh, step]() mutable {
       step.after = dump_mesh(mesh);
       return to_wire(step);
     });
-    const auto returned = (mesh.*operation)(element);
+    const auto returned =
+        std::apply([&](auto... element) { return (mesh.*operation)(element...); }, elements);
     step.refused = returned ? 0 : 1;
     if (returned) step.returned = dump_handle(mesh, *returned);
     step.after = dump_mesh(mesh);
     recorder.add_step(step);
   }
+}
+
+template <class Out, class In>
+void run_local_operations(
+    WireReader& input, Recorder& recorder,
+    MaybeHandle<Out> (meshedit::PolyMesh::*operation)(meshedit::Handle<In>)) {
+  run_picked_operations<In>(input, recorder, operation);
+}
+
+/// The same of a function that takes two elements.
+template <class Out, class In>
+void run_local_operations(WireReader& input, Recorder& recorder,
+                          MaybeHandle<Out> (meshedit::PolyMesh::*operation)(
+                              meshedit::Handle<In>, meshedit::Handle<In>)) {
+  run_picked_operations<In, In>(input, recorder, operation);
 }
 
 }  // namespace meshgrade

@@ -43,18 +43,29 @@ std::optional<Handle<Result>> call(
   return bridge.ours(*returned);
 }
 
-template <class Result>
-[[maybe_unused]] Result call_on_mesh(PolyMesh& mesh, Result (Halfedge_Mesh::*function)()) {
+/// Whether the vertices are the same, in the same places.
+bool same_vertices(const Halfedge_Mesh& a, const Halfedge_Mesh& b) {
+  const detail::StepPause pause;
+  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
+                    [](const auto& v, const auto& w) { return v.position == w.position; });
+}
+
+void call_on_mesh(PolyMesh& mesh, void (Halfedge_Mesh::*function)(), const char* /*name*/) {
   Halfedge_Mesh theirs;
   MeshBridge bridge(mesh, theirs);
-  if constexpr (std::is_void<Result>::value) {
-    (theirs.*function)();
-    bridge.write_back();
-  } else {
-    const Result result = (theirs.*function)();
-    bridge.write_back();
-    return result;
-  }
+  (theirs.*function)();
+  bridge.write_back();
+}
+
+/// @param name  of the function: as it is handed out, it says that it is done and does nothing
+bool call_on_mesh(PolyMesh& mesh, bool (Halfedge_Mesh::*function)(), const char* name) {
+  Halfedge_Mesh theirs;
+  MeshBridge bridge(mesh, theirs);
+  const Halfedge_Mesh before = theirs;
+  const bool done = (theirs.*function)();
+  if (done && same_vertices(before, theirs)) notImplemented(name);
+  bridge.write_back();
+  return done;
 }
 
 template <class Taken, class Given>
@@ -63,11 +74,8 @@ void give_positions(const MeshBridge& bridge, const Taken& taken, Given& positio
     positions[bridge.ours(element)] = Vector3D(p.x, p.y, p.z);
 }
 
-/// @tparam Positions  of the mesh of the next level, by the elements of this one
 /// @param name  of the function: as it is handed out, it gives no positions at all
-template <class Positions>
-[[maybe_unused]] Positions refine(PolyMesh& mesh, void (Halfedge_Mesh::*function)(),
-                                  const char* name) {
+RefinedPositions refine(PolyMesh& mesh, void (Halfedge_Mesh::*function)(), const char* name) {
   taken_positions = {};
   Halfedge_Mesh theirs;
   MeshBridge bridge(mesh, theirs);
@@ -77,7 +85,7 @@ template <class Positions>
   const TakenPositions& taken = taken_positions;
   if (taken.vertices.empty() && taken.edges.empty() && taken.faces.empty())
     notImplemented(name);
-  Positions positions;
+  RefinedPositions positions;
   give_positions(bridge, taken.vertices, positions.vertices);
   give_positions(bridge, taken.edges, positions.edges);
   give_positions(bridge, taken.faces, positions.faces);
@@ -95,16 +103,36 @@ template <class Positions>
                                                Handle<Argument> second) {      \
     return call<Result>(*this, &Halfedge_Mesh::their_name, first, second);     \
   }
-#define SCOTTY3D_MESH_FUNCTION(exercise, name, their_name, Result) \
-  Result PolyMesh::name() {                                        \
-    return call_on_mesh(*this, &Halfedge_Mesh::their_name);        \
+#define SCOTTY3D_MESH_FUNCTION(exercise, name, their_name, Result)                         \
+  Result PolyMesh::name() {                                                                \
+    return call_on_mesh(*this, &Halfedge_Mesh::their_name, "Halfedge_Mesh::" #their_name); \
   }
-#define SCOTTY3D_REFINEMENT(exercise, name, their_name)                \
-  RefinedPositions PolyMesh::name() {                                  \
-    return refine<RefinedPositions>(*this, &Halfedge_Mesh::their_name, \
-                                    "Halfedge_Mesh::" #their_name);    \
+#define SCOTTY3D_REFINEMENT(exercise, name, their_name)                              \
+  RefinedPositions PolyMesh::name() {                                                \
+    return refine(*this, &Halfedge_Mesh::their_name, "Halfedge_Mesh::" #their_name); \
   }
 #include "functions.inc"
+
+void PolyMesh::placeExtruded(FaceIter f, const Vector3D& move, double shrink) {
+  Halfedge_Mesh theirs;
+  MeshBridge bridge(*this, theirs);
+  theirs.extrude_positions(bridge.theirs(f), detail::scotty3d::to_floats(move),
+                           static_cast<float>(shrink));
+  bridge.write_back();
+}
+
+void PolyMesh::placeBevelled(FaceIter f, const std::vector<Vector3D>& starts,
+                             const Vector3D& direction, double distance) {
+  using detail::scotty3d::to_floats;
+  Halfedge_Mesh theirs;
+  MeshBridge bridge(*this, theirs);
+  std::vector<Vec3> places;
+  for (const Vector3D& start : starts)
+    places.push_back(to_floats(start));
+  theirs.bevel_positions(bridge.theirs(f), places, to_floats(direction),
+                         static_cast<float>(distance));
+  bridge.write_back();
+}
 
 }  // namespace meshedit
 
@@ -122,3 +150,9 @@ template <class Positions>
 #define SCOTTY3D_REFINEMENT(exercise, name, their_name) \
   [[gnu::weak]] void Halfedge_Mesh::their_name() SCOTTY3D_UNWRITTEN(their_name)
 #include "functions.inc"
+
+[[gnu::weak]] void Halfedge_Mesh::extrude_positions(FaceRef, Vec3, float)
+    SCOTTY3D_UNWRITTEN(extrude_positions)
+        [[gnu::weak]] void Halfedge_Mesh::bevel_positions(FaceRef, const std::vector<Vec3>&,
+                                                          Vec3, float)
+            SCOTTY3D_UNWRITTEN(bevel_positions)

@@ -27,10 +27,6 @@ StrayElements& strays() {
   return elements;
 }
 
-Vec3 to_floats(const Vector3D& p) {
-  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
-}
-
 /// A position that floats cannot hold stays what it is until it is changed.
 void write_position(const Vec3& from, Vector3D& to) {
   const Vec3 known = to_floats(to);

@@ -167,10 +167,6 @@ class Face : public detail::Element, public detail::Added<Face> {
 
  protected:
   friend struct detail::Inspector;
-  template <class T>
-  friend class Handle;
-
-  static std::uint64_t listOf(const Face& face) { return face._isBoundary ? 1 : 0; }
 
   HalfedgeIter _halfedge;
   bool _isBoundary;
@@ -384,7 +380,7 @@ class HalfedgeMesh : public detail::Added<HalfedgeMesh> {
   detail::Pool<Vertex> vertices;
   detail::Pool<Edge> edges;
   detail::Pool<Face> faces;
-  detail::Pool<Face> boundaries;
+  detail::Pool<Face> boundaries{detail::kSecondList};
 
  private:
   std::uint32_t serial_;  ///< tells this mesh from all others

@@ -1,10 +1,21 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "halfedge_mesh.h"
+#include "vector3d.h"
 
 namespace meshedit {
+
+/// Where the vertices of the next level of a subdivision lie: one position for each vertex, edge
+/// and face of the surface. Boundary loops are no faces: they have none.
+struct RefinedPositions {
+  std::map<VertexIter, Vector3D> vertices;  ///< where each old vertex goes
+  std::map<EdgeIter, Vector3D> edges;       ///< the new vertex of each edge
+  std::map<FaceIter, Vector3D> faces;       ///< the new vertex within each face
+};
 
 /// THE SECOND ASSIGNMENT: editing a surface whose faces are polygons with any number of
 /// corners.
@@ -89,6 +100,7 @@ class PolyMesh : public HalfedgeMesh {
   ///
   /// @return the face in the middle
   MESHEDIT_YOURS std::optional<FaceIter> extrudeFace(FaceIter f);
+
   /// EXERCISE face_collapse. Shrinks a face to one vertex, at the mean of its corners. The
   /// faces beside it lose a corner for each side that they share with it; a triangle there
   /// vanishes, and its two other edges become one.
@@ -126,6 +138,73 @@ class PolyMesh : public HalfedgeMesh {
   ///
   /// @return a boundary loop that passes an old side of the face
   MESHEDIT_YOURS std::optional<FaceIter> removeFace(FaceIter f);
+
+  /// EXERCISE edge_weld. Makes one edge of two that lie on a boundary, so that their faces lie
+  /// side by side: where `e` starts in its face, `f` ends in its own. Of each two ends that
+  /// meet, one vertex is left, in the middle between them; an end that both have stays.
+  ///
+  /// Refuses an edge that is not on a boundary, twice the same, and what leaves no surface: if
+  /// two ends that meet are joined by an edge, or are corners of the same face.
+  ///
+  /// @return the edge that is left: either of the two, or a new one
+  MESHEDIT_YOURS std::optional<EdgeIter> weldEdges(EdgeIter e, EdgeIter f);
+
+  // WHERE THE CORNERS of a new face LIE, while somebody drags it. These change no pointer.
+
+  /// EXERCISE extrude_positions. Places the corners of a face that extrudeFace() has made: each
+  /// at p + shrink (m - p) + move, where p is the outer corner beside it and m the mean of all
+  /// outer corners. Each call begins at the outer corners, so that the same call again changes
+  /// nothing.
+  ///
+  /// @param shrink 0 for full size, 1 for a point, less than 0 for a larger face
+  MESHEDIT_YOURS void placeExtruded(FaceIter f, const Vector3D& move, double shrink);
+
+  /// EXERCISE bevel_positions. Places the corners of a face that bevelVertex() or bevelEdge()
+  /// has made, each on the edge that leads out of the face there: at start + t u, where u is
+  /// the unit vector from the start to the outer vertex, and t = distance / dot(direction, u),
+  /// so that all corners go equally far in the direction.
+  ///
+  /// @param starts where the corners were at first, from the vertex of f->halfedge() on
+  /// @param direction of length 1
+  MESHEDIT_YOURS void placeBevelled(FaceIter f, const std::vector<Vector3D>& starts,
+                                    const Vector3D& direction, double distance);
+
+  // The WHOLE mesh: these cost time in proportion to it.
+
+  /// EXERCISE triangulation. Cuts every face with more than three corners into triangles, by
+  /// new edges between its corners. Any pattern is right: n corners, n - 2 triangles. All
+  /// vertices and edges stay as they are, boundary loops too. An old face may be one of the
+  /// triangles, or be deleted.
+  MESHEDIT_YOURS void triangulate();
+
+  /// EXERCISE linear_subdivision. Where the vertices of the next level lie if each face with n
+  /// corners is cut into n quads and nothing is smoothed: vertices stay, the new vertex of an
+  /// edge lies in its middle, that of a face at the mean of its corners. Cutting is not yours:
+  /// the mesh must stay as it is.
+  MESHEDIT_YOURS RefinedPositions linearPositions();
+
+  /// EXERCISE catmull_clark. The same with the rules of Catmull and Clark (1978):
+  ///
+  ///   face    the mean of its corners
+  ///   edge    the mean of its two ends and of the new vertices of the two faces beside it;
+  ///           on a boundary its middle
+  ///   vertex  (Q + 2 R + (n - 3) S) / n, where n is its number of edges, Q the mean of the new
+  ///           vertices of the faces around it, R the mean of the middles of its edges, and S
+  ///           where it lies; on a boundary 3/4 S + 1/8 (a + b), with its two neighbours a and
+  ///           b along the boundary
+  MESHEDIT_YOURS RefinedPositions catmullClarkPositions();
+
+  /// EXERCISE loop_refinement. One level of Loop subdivision: each triangle becomes four, and
+  /// all vertices move. Old vertices stay; which edges and faces are the old ones is yours.
+  ///
+  ///   edge    3/8 of each end and 1/8 of each of the two vertices opposite; on a boundary its
+  ///           middle
+  ///   vertex  (1 - n u) S + u (the sum of its n neighbours), u = 3/16 for n = 3, otherwise
+  ///           3 / (8 n); on a boundary 3/4 S + 1/8 (a + b), with its two neighbours a and b
+  ///           along the boundary
+  ///
+  /// @return false if a face is no triangle: the mesh is then as it was
+  MESHEDIT_YOURS bool loopSubdivide();
 };
 
 }  // namespace meshedit

@@ -3,50 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <ostream>
-
 #include "grader/base/errors.h"
-#include "grader/grade/grading.h"
-#include "tests/grade/spoiled_reference.h"
+#include "tests/grade/graded_change.h"
 
 namespace meshgrade {
 namespace {
-
-ExerciseReport grade_one(const std::string& exercise, SourceFile file) {
-  static const Home home = find_home();
-  static const Assignment assignment = load_assignment("polygon_meshes");
-  file.name = exercise + ".cpp";
-  Submission submission;
-  submission.name = "test";
-  submission.sources = {std::move(file)};
-  const Report report =
-      grade(assignment, submission, home, {exercise}, [](const std::string&) {});
-  return report.exercises.at(0);
-}
-
-std::string path_of(const std::string& exercise) {
-  return "polygon_meshes/" + exercise + ".cpp";
-}
-
-const Finding& first_finding(const ExerciseReport& report) {
-  static const Finding none;
-  for (const CaseReport& c : report.cases) {
-    if (!c.findings.empty()) return c.findings[0].finding;
-  }
-  return none;
-}
-
-struct Change {
-  const char* name;
-  const char* exercise;
-  const char* was;
-  const char* becomes;
-  const char* rule;  ///< of the first finding; of a right solution empty
-};
-
-std::ostream& operator<<(std::ostream& out, const Change& change) {
-  return out << change.exercise << ": " << change.name;
-}
 
 class WrongOperation : public testing::TestWithParam<Change> {};
 
@@ -92,6 +53,38 @@ const Change kWrong[] = {
     {"CopiesTheCornersElsewhere", "face_extrude",
      "corners[i]->position = sides[i]->vertex()->position;",
      "corners[i]->position = 0.9 * sides[i]->vertex()->position;", "new-position"},
+    {"LeavesTwoCorners", "face_collapse",
+     "if (around(face->halfedge()).size() == 2) closeUp(*this, face->halfedge());", "",
+     "counts"},
+    {"TakesTheFirstCorner", "face_collapse",
+     "left->position = sum / static_cast<double>(sides.size());", "", "new-position"},
+    {"CreatesBeforeItRefuses", "face_collapse",
+     "if (!doesBoundaryAllow(sides) || !doNeighboursAllow(f, sides)) return std::nullopt;",
+     "const VertexIter m = newVertex();\n"
+     "  if (!doesBoundaryAllow(sides) || !doNeighboursAllow(f, sides)) return std::nullopt;\n"
+     "  deleteVertex(m);",
+     "refused-unchanged"},
+    {"BevelsTwoEdges", "vertex_bevel", "if (n < 3) return std::nullopt;", "", "not-refused"},
+    {"LeavesTheVertex", "vertex_bevel", "deleteVertex(v);", "", "counts"},
+    {"NamesTheEdgeThatIsGone", "edge_bevel", "around[i]->halfedge() = outer[i];", "",
+     "live-pointer"},
+    {"PutsAllInTheMiddle", "edge_bevel", "end->position = spoke->vertex()->position;",
+     "end->position = 0.5 * (a->position + b->position);", "new-position"},
+    {"DoesNotSeeACorner", "face_remove",
+     "if (sides[i]->vertex()->isBoundary() && !is_side) return false;", "", "not-refused"},
+    {"ReturnsAnotherLoop", "face_remove", "return left;",
+     "for (FaceIter b = boundariesBegin(); b != boundariesEnd(); ++b) {\n"
+     "    if (b != left) return b;\n  }\n  return left;",
+     "returned"},
+    {"KeepsOneLoop", "edge_weld", "if (old_loops.count(begin->face()) == 0) continue;",
+     "if (begin != begins.front()) continue;", "next-face"},
+    {"RefusesToZip", "edge_weld",
+     "if (e == f || !e->isBoundary() || !f->isBoundary()) return std::nullopt;",
+     "if (e == f || !e->isBoundary() || !f->isBoundary()) return std::nullopt;\n"
+     "  if (outsideOf(e)->face() == outsideOf(f)->face()) return std::nullopt;",
+     "refused"},
+    {"WeldsTurnedOver", "edge_weld", "const HalfedgeIter g = outsideOf(f);",
+     "const HalfedgeIter g = outsideOf(f)->twin();", "live-pointer"},
     {"MovesAnOldVertex", "vertex_dissolve", "const FaceIter face = newFace();",
      "const FaceIter face = newFace();\n  sides[0]->vertex()->position += Vector3D(0, 0, 1);",
      "position"},
@@ -118,6 +111,12 @@ const Change kRight[] = {
      "", ""},
     {"BeginsOnTheOtherSide", "edge_flip_polygon",
      "const HalfedgeIter h = e->halfedge();  // a to b, in f",
+     "const HalfedgeIter h = e->halfedge()->twin();", ""},
+    {"BeginsAtAnotherCorner", "face_collapse", "around(f->halfedge());",
+     "around(f->halfedge()->next());", ""},
+    {"KeepsTheOtherEdge", "edge_weld", "const HalfedgeIter h = outsideOf(e);",
+     "std::swap(e, f);\n  const HalfedgeIter h = outsideOf(e);", ""},
+    {"BevelsFromTheOtherEnd", "edge_bevel", "const HalfedgeIter h = e->halfedge();",
      "const HalfedgeIter h = e->halfedge()->twin();", ""},
     {"RefusesALoneCorner", "vertex_dissolve",
      "if (!isFace(sides, boundary)) return std::nullopt;",

@@ -109,7 +109,9 @@ INSTANTIATE_TEST_SUITE_P(, HostileSteps,
                                          "edge_flip", "edge_split", "loop_subdivision",
                                          "edge_flip_polygon", "edge_split_polygon",
                                          "edge_collapse", "edge_dissolve", "vertex_dissolve",
-                                         "vertex_inset", "face_extrude"),
+                                         "vertex_inset", "face_extrude", "triangulation",
+                                         "linear_subdivision", "catmull_clark",
+                                         "loop_refinement"),
                          [](const auto& parameter) { return parameter.param; });
 
 // A forged history can lead to a mesh that does not have the edge that is asked for next.

@@ -20,12 +20,12 @@ const char* const kMeshes[] = {
     "octahedron.off",  "quad_torus.obj",    "bipyramid_3.obj",     "pouch.obj",
     "lens.obj",        "mixed_strip.obj",   "quad_grid_3x3.obj",   "tube_6.obj",
     "ring_5.obj",      "fan.obj",           "single_triangle.obj", "single_quad.obj",
-    "tetrahedron.obj", "two_triangles.obj", "valence_zoo.obj"};
+    "tetrahedron.obj", "two_triangles.obj", "valence_zoo.obj",     "two_patches.obj"};
 
 const char* const kOperations[] = {"edge_flip_polygon", "edge_split_polygon", "edge_collapse",
                                    "edge_dissolve",     "vertex_dissolve",    "vertex_inset",
                                    "face_extrude",      "face_collapse",      "vertex_bevel",
-                                   "edge_bevel",        "face_remove"};
+                                   "edge_bevel",        "face_remove",        "edge_weld"};
 
 /// One operation on one element.
 struct Try {
@@ -50,10 +50,15 @@ void for_every_element(const std::string& exercise, Visit visit) {
     const MeshDump mesh = sample_dump(file);
     const FaceLists lists = face_lists_of(mesh);
     const Surface surface(lists);
-    for (std::uint32_t i = 0; i < count_elements(mesh, operation->picks); ++i) {
-      const Picked picked = pick(mesh, operation->picks, i);
-      visit(Try{*operation, lists, surface, picked, operation->answer(lists, picked),
-                exercise + " " + std::to_string(i) + " of " + file});
+    const std::uint32_t n = count_elements(mesh, operation->picks);
+    for (std::uint32_t i = 0; i < n; ++i) {
+      Picked picked = pick(mesh, operation->picks, i);
+      for (std::uint32_t j = 0; j < (operation->picks_two ? n : 1); ++j) {
+        if (operation->picks_two) picked.partner = pick(mesh, operation->picks, j).corners;
+        visit(
+            Try{*operation, lists, surface, picked, operation->answer(lists, picked),
+                exercise + " " + std::to_string(i) + ", " + std::to_string(j) + " of " + file});
+      }
     }
   }
 }
@@ -87,12 +92,12 @@ std::ptrdiff_t triangles(const Try& tried) {
 
 /// Faces of which one corner only does not belong to the face that was picked.
 std::ptrdiff_t vanishing(const Try& tried) {
-  return std::count_if(
-      tried.lists.faces.begin(), tried.lists.faces.end(), [&](const Corners& face) {
-        return std::count_if(face.begin(), face.end(), [&](Label corner) {
-                 return !place_of(tried.picked.corners, corner);
-               }) == 1;
-      });
+  return std::count_if(tried.lists.faces.begin(), tried.lists.faces.end(),
+                       [&](const Corners& face) {
+                         return std::count_if(face.begin(), face.end(), [&](Label corner) {
+                                  return !place_of(tried.picked.corners, corner);
+                                }) == 1;
+                       });
 }
 
 /// A side on a boundary goes, and so does a corner with no other face.
@@ -128,14 +133,19 @@ Change expected_change(const Try& tried) {
   if (exercise == "vertex_dissolve")
     return tried.at_boundary() ? Change{-1, 1 - d, 2 - d} : Change{-1, -d, 1 - d};
   if (exercise == "vertex_inset") return {1, d, d - 1};
-  if (exercise == "face_collapse")
-    return {1 - d, -d - vanishing(tried), -1 - vanishing(tried)};
+  if (exercise == "face_collapse") return {1 - d, -d - vanishing(tried), -1 - vanishing(tried)};
   if (exercise == "vertex_bevel") return {edges_at(tried, 0) - 1, edges_at(tried, 0), 1};
   if (exercise == "edge_bevel") {
     const std::ptrdiff_t others = edges_at(tried, 0) + edges_at(tried, 1) - 2;
     return {others - 2, others - 1, 1};
   }
   if (exercise == "face_remove") return without_the_face(tried);
+  if (exercise == "edge_weld") {
+    const auto shared = std::count_if(corners.begin(), corners.end(), [&](Label corner) {
+      return place_of(tried.picked.partner, corner).has_value();
+    });
+    return {shared - 2, -1, 0};
+  }
   return {d, 2 * d, d};
 }
 
@@ -161,7 +171,7 @@ TEST_P(RightAnswer, ChangesNoFaceThatHasNothingToDoWithTheElement) {
     if (tried.answer.demand == Demand::kRefuse) return;
     for (const Corners& corners : tried.lists.faces) {
       const bool touches = std::any_of(corners.begin(), corners.end(), [&](Label corner) {
-        return place_of(tried.picked.corners, corner).has_value();
+        return place_of(tried.picked.corners, corner) || place_of(tried.picked.partner, corner);
       });
       const auto is_it = [&](const Corners& other) {
         return canonical(other) == canonical(corners);

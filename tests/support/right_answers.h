@@ -5,15 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "grader/base/wire.h"
 #include "grader/cases/bezier_input.h"
 #include "grader/cases/case.h"
 #include "grader/cases/local_operation_input.h"
 #include "grader/cases/mesh_input.h"
+#include "grader/cases/whole_mesh_input.h"
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/operation_model.h"
 #include "grader/judge/operations_judge.h"
+#include "grader/judge/refinement_rules.h"
 #include "grader/operations/local_operation_list.h"
 #include "grader/operations/picked_element.h"
 #include "grader/run/outcome.h"
@@ -170,11 +173,15 @@ inline std::vector<std::string> right_local_operations(const LocalOperationInput
                                                        const LocalOperation& operation) {
   std::vector<std::string> steps;
   MeshDump mesh = built_mesh(input.mesh, input.anchor_turns);
-  for (std::uint32_t place : input.places) {
+  for (std::size_t i = 0; i < input.places.size(); i += operation.picks_two ? 2 : 1) {
     LocalStep step;
-    step.picked = find_element(mesh, operation.picks, place);
-    const Answer answer =
-        operation.answer(face_lists_of(mesh), corners_of(mesh, operation.picks, step.picked));
+    step.picked = find_element(mesh, operation.picks, input.places[i]);
+    Picked picked = corners_of(mesh, operation.picks, step.picked);
+    if (operation.picks_two) {
+      step.partner = find_element(mesh, operation.picks, input.places[i + 1]);
+      picked.partner = corners_of(mesh, operation.picks, step.partner).corners;
+    }
+    const Answer answer = operation.answer(face_lists_of(mesh), picked);
     step.refused = answer.demand == Demand::kMust ? 0 : 1;
     if (step.refused == 0) {
       mesh = mesh_of(answer.after);
@@ -193,6 +200,115 @@ inline std::vector<std::string> right_local_operations(const LocalOperationInput
   return steps;
 }
 
+using LabelPair = std::pair<Label, Label>;
+
+inline LabelPair sorted_pair(Label a, Label b) {
+  return std::minmax(a, b);
+}
+
+/// Cuts a face from the first of its corners from where no cut gets the ends of an edge.
+/// @param edges  all that there are; the cuts are added
+inline std::vector<Corners> cut_into_triangles(const Corners& face,
+                                               std::set<LabelPair>& edges) {
+  for (const Label apex : face) {
+    const Corners corners = beginning_with(face, apex);
+    std::vector<Corners> triangles;
+    std::set<LabelPair> cuts;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      triangles.push_back({apex, corners[i], corners[i + 1]});
+      if (i > 1) cuts.insert(sorted_pair(apex, corners[i]));
+    }
+    const bool is_free = std::none_of(
+        cuts.begin(), cuts.end(), [&](const LabelPair& cut) { return edges.count(cut) != 0; });
+    if (!is_free) continue;
+    edges.insert(cuts.begin(), cuts.end());
+    return triangles;
+  }
+  throw std::logic_error("no corner to cut from");
+}
+
+inline FaceLists cut_into_triangles(FaceLists lists) {
+  std::set<LabelPair> edges;
+  for (const Corners& face : lists.faces) {
+    for (std::size_t i = 0; i < face.size(); ++i)
+      edges.insert(sorted_pair(face[i], face[(i + 1) % face.size()]));
+  }
+  std::vector<Corners> triangles;
+  for (const Corners& face : lists.faces) {
+    for (Corners& triangle : cut_into_triangles(face, edges))
+      triangles.push_back(std::move(triangle));
+  }
+  lists.faces = std::move(triangles);
+  return lists;
+}
+
+/// The same mesh whose edges have the numbers that they have in another one, new ones behind.
+inline MeshDump with_edges_of(const MeshDump& old, MeshDump mesh) {
+  std::map<LabelPair, Ref> known;
+  for (Ref e = 0; e < old.edges.size(); ++e) {
+    const HalfedgeRecord& h = old.halfedges[old.edges[e].halfedge];
+    known[sorted_pair(h.vertex, old.halfedges[h.twin].vertex)] = e;
+  }
+  std::vector<Ref> number(mesh.edges.size());
+  auto next = static_cast<Ref>(old.edges.size());
+  for (Ref e = 0; e < mesh.edges.size(); ++e) {
+    const HalfedgeRecord& h = mesh.halfedges[mesh.edges[e].halfedge];
+    const auto same = known.find(sorted_pair(h.vertex, mesh.halfedges[h.twin].vertex));
+    number[e] = same != known.end() ? same->second : next++;
+  }
+  const std::vector<EdgeRecord> edges = mesh.edges;
+  for (Ref e = 0; e < edges.size(); ++e)
+    mesh.edges[number[e]] = edges[e];
+  for (HalfedgeRecord& h : mesh.halfedges)
+    h.edge = number[h.edge];
+  return mesh;
+}
+
+inline std::vector<std::string> right_triangulations(const WholeMeshInput& input) {
+  const MeshDump built = built_mesh(input.mesh, input.anchor_turns);
+  const MeshDump cut = with_edges_of(built, mesh_of(cut_into_triangles(face_lists_of(built))));
+  return std::vector<std::string>(input.times, to_wire(cut));
+}
+
+/// By the closed forms, which know nothing of OpenSubdiv.
+inline std::vector<std::string> right_refinements(const WholeMeshInput& input,
+                                                  RefinementScheme scheme) {
+  std::vector<std::string> steps;
+  PolygonMesh polygons = input.mesh;
+  for (std::uint32_t level = 0; level < input.times; ++level) {
+    RefinementStep step;
+    step.after = built_mesh(polygons, input.anchor_turns);
+    const SurfaceRings rings = rings_of(step.after);
+    RefinedPoints points;
+    const RefinementRules rules(rings, scheme, points);
+    points.faces = rules.points(PointKind::kFace);
+    points.edges = rules.points(PointKind::kEdge);
+    points.vertices = rules.points(PointKind::kVertex);
+    const auto place = [](const std::vector<Point3>& from, std::vector<PlacedElement>& to) {
+      for (Ref i = 0; i < from.size(); ++i)
+        to.push_back({i, from[i]});
+    };
+    place(points.vertices, step.vertices);
+    place(points.edges, step.edges);
+    place(points.faces, step.faces);
+    polygons = refined_mesh(step.after, points);
+    steps.push_back(to_wire(step));
+  }
+  return steps;
+}
+
+/// Refuses what it must, and takes the vertices by OpenSubdiv otherwise.
+inline std::vector<std::string> right_loop_refinements(const WholeMeshInput& input,
+                                                       VertexRule rule, CornerRule corner) {
+  std::vector<std::string> steps;
+  if (!is_triangle_mesh(input.mesh))
+    return {to_wire(RefusableStep{0, built_mesh(input.mesh, input.anchor_turns)})};
+  const SubdivisionInput levels{input.mesh_name, input.mesh, input.times};
+  for (const std::string& level : right_levels(levels, rule, corner))
+    steps.push_back(to_wire(RefusableStep{1, from_wire<MeshDump>(level)}));
+  return steps;
+}
+
 inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarren,
                              CornerRule corner = CornerRule::kSmooth) {
   Outcome outcome;
@@ -207,6 +323,16 @@ inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarre
     outcome.steps = right_operations(from_wire<OperationsInput>(c.input));
   if (const LocalOperation* operation = find_local_operation(c.exercise))
     outcome.steps = right_local_operations(from_wire<LocalOperationInput>(c.input), *operation);
+  if (c.exercise == "triangulation")
+    outcome.steps = right_triangulations(from_wire<WholeMeshInput>(c.input));
+  if (c.exercise == "linear_subdivision")
+    outcome.steps =
+        right_refinements(from_wire<WholeMeshInput>(c.input), RefinementScheme::kLinear);
+  if (c.exercise == "catmull_clark")
+    outcome.steps =
+        right_refinements(from_wire<WholeMeshInput>(c.input), RefinementScheme::kCatmullClark);
+  if (c.exercise == "loop_refinement")
+    outcome.steps = right_loop_refinements(from_wire<WholeMeshInput>(c.input), rule, corner);
   if (c.exercise == "loop_subdivision")
     outcome.steps = right_levels(from_wire<SubdivisionInput>(c.input), rule, corner);
   return outcome;

@@ -17,6 +17,10 @@ namespace meshedit {
 namespace detail {
 namespace scotty3d {
 
+inline Vec3 to_floats(const Vector3D& p) {
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
+
 /// The elements of one kind on both sides.
 template <class Ours, class Theirs>
 class Pairing {

@@ -196,9 +196,12 @@ class Halfedge_Mesh {
 #define SCOTTY3D_MESH_FUNCTION(exercise, ours, theirs, Result) Result theirs();
 #define SCOTTY3D_REFINEMENT(exercise, ours, theirs) void theirs();
 #include "../functions.inc"
+  void extrude_positions(FaceRef face, Vec3 move, float shrink);
+  void bevel_positions(FaceRef face, const std::vector<Vec3>& start_positions, Vec3 direction,
+                       float distance);
 
-  /// In the course it makes the mesh of the next level, with these positions. Here it takes down
-  /// the positions, which are all that students write, and leaves the mesh as it is.
+  /// In the course it makes the mesh of the next level, with these positions. Here it takes
+  /// down the positions, which are all that students write, and leaves the mesh as it is.
   void catmark_subdivide_helper(
       const std::unordered_map<VertexCRef, Vec3>& vertex_positions,
       const std::unordered_map<EdgeCRef, Vec3>& edge_vertex_positions,

@@ -108,14 +108,11 @@ class Handle {
                         T::kHandleName);
   }
 
-  /// The mesh, the list and the place in it, as one number. Unset handles come first; boundary
-  /// loops, which are faces of a list of their own, come after all other faces.
+  /// The mesh and the place in it, as one number. Unset handles come first, ends last.
   std::uint64_t rank() const {
     if (element_ == nullptr) return 0;
     const detail::Tag tag = element_->tag_;
-    const bool is_element = tag.state() != detail::SlotState::kEnd;
-    const std::uint64_t list = is_element ? T::listOf(*element_) : 0;
-    return (std::uint64_t{tag.mesh()} << 32U) + (list << 31U) + tag.index() + 1;
+    return (std::uint64_t{tag.mesh()} << 32U) + tag.index() + 1;
   }
 
   T* element_ = nullptr;

@@ -39,7 +39,11 @@ enum class SlotState : std::uint32_t {
   kEnd = 4,      ///< no element: the end of the list
 };
 
-constexpr std::size_t kMaxElements = (std::size_t{1} << 29U) - 1;
+constexpr std::size_t kMaxElements = (std::size_t{1} << 28U) - 1;
+
+/// What the places of a second list of elements of one kind begin with, so that handles to both
+/// can be kept in one set or map: those of boundary loops, which are faces, too.
+constexpr std::size_t kSecondList = std::size_t{1} << 28U;
 
 enum class ElementKind : std::uint32_t { kNone = 0, kHalfedge, kVertex, kEdge, kFace };
 
@@ -111,9 +115,6 @@ class Element {
   friend class meshedit::Halfedge;
   friend struct Inspector;
 
-  /// Which of the lists of its kind an element is in.
-  static std::uint64_t listOf(const Element& /*element*/) { return 0; }
-
   Tag tag_;
 };
 
@@ -159,7 +160,7 @@ class Pool {
   using iterator = Handle<T>;
   using const_iterator = Handle<const T>;
 
-  Pool() { end_.set(SlotState::kEnd, kMaxElements, 0, this); }
+  explicit Pool(std::size_t first_place = 0) : first_place_(first_place) { set_mesh(0); }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
   ~Pool() { clear(); }
@@ -185,8 +186,8 @@ class Pool {
     } else {
       ::new (static_cast<void*>(slot)) T(std::forward<Args>(args)...);
     }
-    slot->tag_ = Tag(SlotState::kLive, used_, mesh, KindOf<T>::kValue);
-    end_.set(SlotState::kEnd, kMaxElements, mesh, this);
+    slot->tag_ = Tag(SlotState::kLive, first_place_ + used_, mesh, KindOf<T>::kValue);
+    set_mesh(mesh);
     ++free_;
     ++used_;
     ++live_;
@@ -226,13 +227,15 @@ class Pool {
 
   /// The mesh that the elements belong to; 0 if to none.
   std::uint32_t mesh() const { return end_.mesh(); }
-  void set_mesh(std::uint32_t mesh) { end_.set(SlotState::kEnd, kMaxElements, mesh, this); }
+  void set_mesh(std::uint32_t mesh) {
+    end_.set(SlotState::kEnd, first_place_ + kMaxElements, mesh, this);
+  }
 
   /// Destroys all elements and frees their memory.
   void clear() {
     for (std::size_t i = 0; i < used_; ++i) {
       T* slot = at(i);
-      slot->tag_ = Tag(SlotState::kDeleted, i, slot->tag_.mesh());
+      slot->tag_ = Tag(SlotState::kDeleted, slot->tag_.index(), slot->tag_.mesh());
       slot->~T();
     }
     for (T* chunk : chunks_)
@@ -393,6 +396,7 @@ class Pool {
   T* chunk_end_ = nullptr;       // where the last chunk ends
   std::size_t used_ = 0;
   std::size_t live_ = 0;
+  std::size_t first_place_;
   Link end_;
 };
 

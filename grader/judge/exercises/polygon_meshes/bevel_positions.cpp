@@ -1,0 +1,80 @@
+#include <cmath>
+
+#include "grader/judge/placement_judge.h"
+
+namespace meshgrade {
+namespace {
+
+double dot(const Point3& a, const Point3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// From the start to the outer vertex, and how long that is.
+struct Way {
+  Point3 unit;
+  double length;
+};
+
+Way way_out(const PlacedCorner& corner) {
+  Point3 way;
+  for (std::size_t i = 0; i < 3; ++i)
+    way[i] = corner.outer[i] - corner.start[i];
+  const double length = std::hypot(way[0], way[1], way[2]);
+  for (double& x : way)
+    x /= length;
+  return {way, length};
+}
+
+Point3 along(const PlacedCorner& corner, const Point3& direction, double t) {
+  Point3 place = corner.start;
+  for (std::size_t i = 0; i < 3; ++i)
+    place[i] += t * direction[i];
+  return place;
+}
+
+Point3 right_place(const PlacedCorner& corner, const Placement& asked) {
+  const Point3 unit = way_out(corner).unit;
+  return along(corner, unit, asked.amount / dot(asked.vector, unit));
+}
+
+Point3 by_the_distance(const PlacedCorner& corner, const Placement& asked) {
+  return along(corner, way_out(corner).unit, asked.amount);
+}
+
+Point3 by_the_projection(const PlacedCorner& corner, const Placement& asked) {
+  const Point3 unit = way_out(corner).unit;
+  return along(corner, unit, asked.amount * dot(asked.vector, unit));
+}
+
+Point3 in_the_direction(const PlacedCorner& corner, const Placement& asked) {
+  return along(corner, asked.vector, asked.amount);
+}
+
+Point3 by_the_length(const PlacedCorner& corner, const Placement& asked) {
+  const Way way = way_out(corner);
+  return along(corner, way.unit, way.length * asked.amount / dot(asked.vector, way.unit));
+}
+
+Point3 turned_round(const PlacedCorner& corner, const Placement& asked) {
+  const Point3 unit = way_out(corner).unit;
+  return along(corner, unit, -asked.amount / dot(asked.vector, unit));
+}
+
+}  // namespace
+
+ExerciseJudge bevel_positions_judge(const ExerciseRubric& rubric) {
+  return placement_judge(
+      rubric,
+      {"PolyMesh::placeBevelled",
+       {right_place},
+       {{by_the_distance,
+         "each corner goes the distance along its edge, and not so far that it has gone the "
+         "distance in the direction: divide by the dot product of the two"},
+        {by_the_projection,
+         "the distance is multiplied by the dot product of edge and direction: divide by it"},
+        {in_the_direction, "the corners leave their edges and go in the direction itself"},
+        {by_the_length, "the edge is not brought to length 1 before it is multiplied"},
+        {turned_round, "the corners go the other way: the sign is turned round"}}});
+}
+
+}  // namespace meshgrade

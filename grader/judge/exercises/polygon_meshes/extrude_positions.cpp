@@ -1,0 +1,57 @@
+#include "grader/judge/placement_judge.h"
+
+namespace meshgrade {
+namespace {
+
+/// start + shrink (centre - start) + move. The corners begin at the places of the outer ones.
+Point3 extruded(const PlacedCorner& corner, const Point3& centre, double shrink,
+                const Point3& move) {
+  Point3 place;
+  for (std::size_t i = 0; i < 3; ++i)
+    place[i] = corner.start[i] + shrink * (centre[i] - corner.start[i]) + move[i];
+  return place;
+}
+
+Point3 right_place(const PlacedCorner& corner, const Placement& asked) {
+  return extruded(corner, corner.mean, asked.amount, asked.vector);
+}
+
+Point3 towards_the_origin(const PlacedCorner& corner, const Placement& asked) {
+  return extruded(corner, {0.0, 0.0, 0.0}, asked.amount, asked.vector);
+}
+
+Point3 as_a_factor(const PlacedCorner& corner, const Placement& asked) {
+  return extruded(corner, corner.mean, 1.0 - asked.amount, asked.vector);
+}
+
+Point3 turned_round(const PlacedCorner& corner, const Placement& asked) {
+  return extruded(corner, corner.mean, -asked.amount, asked.vector);
+}
+
+Point3 without_move(const PlacedCorner& corner, const Placement& asked) {
+  return extruded(corner, corner.mean, asked.amount, {0.0, 0.0, 0.0});
+}
+
+Point3 with_smaller_move(const PlacedCorner& corner, const Placement& asked) {
+  Point3 move = asked.vector;
+  for (double& x : move)
+    x *= 1.0 - asked.amount;
+  return extruded(corner, corner.mean, asked.amount, move);
+}
+
+}  // namespace
+
+ExerciseJudge extrude_positions_judge(const ExerciseRubric& rubric) {
+  return placement_judge(
+      rubric,
+      {"PolyMesh::placeExtruded",
+       {right_place},
+       {{towards_the_origin,
+         "the corners shrink towards the origin, and not towards the mean of the outer corners"},
+        {with_smaller_move, "the move is made smaller by shrink: it is added last, as a whole"},
+        {as_a_factor, "shrink is taken for what is left of the size: 0 is full size, 1 a point"},
+        {turned_round, "a positive shrink makes the face larger: the sign is turned round"},
+        {without_move, "the move is left out"}}});
+}
+
+}  // namespace meshgrade

@@ -1,0 +1,174 @@
+#include "grader/judge/placement_judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grader/base/wire.h"
+#include "grader/judge/findings.h"
+#include "grader/judge/options.h"
+#include "grader/judge/unchanged_mesh.h"
+#include "grader/operations/picked_element.h"
+
+namespace meshgrade {
+namespace {
+
+double distance(const Point3& a, const Point3& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// The corners of a face in a mesh that keeps all rules, by vertex.
+struct Ring {
+  std::vector<Ref> corners;
+  std::vector<Ref> outer;
+};
+
+Ring ring_of(const MeshDump& mesh, Ref face) {
+  Ring ring;
+  ring.corners = corners_of(mesh, ElementKind::kFace, face).corners;
+  const auto is_corner = [&](Ref v) {
+    return std::find(ring.corners.begin(), ring.corners.end(), v) != ring.corners.end();
+  };
+  ring.outer.resize(ring.corners.size(), kUnsetRef);
+  for (const HalfedgeRecord& h : mesh.halfedges) {
+    const Ref end = mesh.halfedges[h.twin].vertex;
+    const auto place = std::find(ring.corners.begin(), ring.corners.end(), h.vertex);
+    if (place != ring.corners.end() && !is_corner(end))
+      ring.outer[static_cast<std::size_t>(place - ring.corners.begin())] = end;
+  }
+  return ring;
+}
+
+class PlacementJudge {
+ public:
+  PlacementJudge(const JudgeTask& task, const PlacementRules& rules,
+                 const PlacementInput& input, CaseJudgement& judgement)
+      : task_(task),
+        rules_(rules),
+        input_(input),
+        start_(built_mesh(input.mesh, input.anchor_turns)),
+        ring_(ring_of(start_, find_element(start_, ElementKind::kFace, input.face))),
+        judgement_(judgement) {
+    for (const Ref v : ring_.outer) {
+      size_ = std::max(size_, distance(start_.vertices[v].position,
+                                       start_.vertices[ring_.outer[0]].position));
+    }
+  }
+
+  /// @return whether the step is right
+  bool judge(std::size_t step, const MeshDump& before, const MeshDump& after) {
+    where_ = input_.calls.size() == 1 ? ""
+                                      : "after call " + std::to_string(step + 1) + " of " +
+                                            std::to_string(input_.calls.size());
+    if (const auto change = find_change(start_, with_old_corners(after), where_)) {
+      judgement_.findings.push_back(*change);
+    } else {
+      judge_places(step, before, after);
+    }
+    return judgement_.findings.empty();
+  }
+
+ private:
+  /// The mesh as if no corner of the face had moved.
+  MeshDump with_old_corners(MeshDump mesh) const {
+    for (const Ref v : ring_.corners) {
+      if (v < mesh.vertices.size()) mesh.vertices[v].position = start_.vertices[v].position;
+    }
+    return mesh;
+  }
+
+  PlacedCorner corner(std::size_t i, const MeshDump& begin) const {
+    Point3 mean{};
+    for (const Ref v : ring_.corners) {
+      for (std::size_t k = 0; k < 3; ++k)
+        mean[k] +=
+            begin.vertices[v].position[k] / static_cast<double>(ring_.corners.size());
+    }
+    return {begin.vertices[ring_.corners[i]].position, mean,
+            start_.vertices[ring_.outer[i]].position};
+  }
+
+  double allowed() const { return task_.tolerance * size_; }
+
+  bool fits(const PlacementFormula& formula, std::size_t step, const MeshDump& begin,
+            const MeshDump& after) const {
+    for (std::size_t i = 0; i < ring_.corners.size(); ++i) {
+      const Point3 expected = formula.place(corner(i, begin), input_.calls[step]);
+      // Not at most: what is no number fits nothing.
+      if (!(distance(expected, after.vertices[ring_.corners[i]].position) <= allowed()))
+        return false;
+    }
+    return true;
+  }
+
+  void judge_places(std::size_t step, const MeshDump& before, const MeshDump& after) {
+    if (fits(rules_.right, step, start_, after)) return;
+    std::size_t i = 0;
+    Point3 expected{};
+    Point3 actual{};
+    for (; i < ring_.corners.size(); ++i) {
+      expected = rules_.right.place(corner(i, start_), input_.calls[step]);
+      actual = after.vertices[ring_.corners[i]].position;
+      if (!(distance(expected, actual) <= allowed())) break;
+    }
+    const std::string name = vertex_name(ring_.corners[i]);
+    const std::string mistake = mistake_of(step, before, after);
+    judgement_.findings.push_back(make_finding(
+        "new-position", "each corner lies where the call says, whatever was called before",
+        where_, name, point_text(expected),
+        point_text(actual) + ", off by " + number_text(distance(expected, actual)),
+        mistake.empty() ? name + ".position, as " + rules_.function + " sets it" : mistake));
+  }
+
+  /// What was done in place of the right thing; empty if that cannot be told.
+  std::string mistake_of(std::size_t step, const MeshDump& before, const MeshDump& after) const {
+    if (step > 0 && fits(rules_.right, step, before, after))
+      return "the corners are moved on from where the last call left them, and not placed from "
+             "where they began: with the mouse held still they would drift away";
+    for (const PlacementFormula& formula : rules_.mistakes) {
+      if (fits(formula, step, start_, after)) return formula.mistake;
+    }
+    return {};
+  }
+
+  const JudgeTask& task_;
+  const PlacementRules& rules_;
+  const PlacementInput& input_;
+  MeshDump start_;
+  Ring ring_;
+  double size_ = 0.0;
+  std::string where_;
+  CaseJudgement& judgement_;
+};
+
+void judge_placements(const JudgeTask& task, const PlacementRules& rules,
+                      CaseJudgement& judgement) {
+  const auto input = from_wire<PlacementInput>(task.asked.input);
+  if (task.outcome.steps.size() > input.calls.size()) throw WireError("too many steps");
+  PlacementJudge judge(task, rules, input, judgement);
+  MeshDump before = built_mesh(input.mesh, input.anchor_turns);
+  for (std::size_t i = 0; i < task.outcome.steps.size(); ++i) {
+    auto after = from_wire<MeshDump>(task.outcome.steps[i]);
+    if (!judge.judge(i, before, after)) {
+      judgement.verdict = Verdict::kFailed;
+      mention_turned_anchors(input.anchor_turns, judgement);
+      return;
+    }
+    before = std::move(after);
+  }
+  require_all_steps(task.outcome, input.calls.size());
+}
+
+}  // namespace
+
+ExerciseJudge placement_judge(const ExerciseRubric& rubric, const PlacementRules& rules) {
+  refuse_unknown_options(rubric, {});
+  ExerciseJudge judge;
+  judge.functions = {rules.function};
+  judge.judge_steps = [rules](const JudgeTask& task, Conventions& /*conventions*/,
+                              CaseJudgement& judgement) {
+    judge_placements(task, rules, judgement);
+  };
+  return judge;
+}
+
+}  // namespace meshgrade
