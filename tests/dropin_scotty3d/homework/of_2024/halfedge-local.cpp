@@ -402,3 +402,70 @@ optional<Halfedge_Mesh::FaceRef> Halfedge_Mesh::make_boundary(FaceRef f) {
 	}
 	return f;
 }
+
+optional<Halfedge_Mesh::EdgeRef> Halfedge_Mesh::weld_edges(EdgeRef e, EdgeRef e2) {
+	if (e == e2 || !e->on_boundary() || !e2->on_boundary()) return std::nullopt;
+	HalfedgeRef h = e->halfedge->outside() ? e->halfedge : e->halfedge->twin;
+	HalfedgeRef g = e2->halfedge->outside() ? e2->halfedge : e2->halfedge->twin;
+	HalfedgeRef hi = h->twin, gi = g->twin;
+	// the start of h meets the end of g, and the other way round
+	vector<std::pair<VertexRef, VertexRef>> meet{{h->vertex, gi->vertex}, {hi->vertex, g->vertex}};
+	for (auto& [a, b] : meet) {
+		if (a == b) continue;
+		std::set<VertexRef> seen;
+		for (auto s : a->spokes()) {
+			if (s->edge != e) seen.insert(s->twin->vertex);
+			if (s->twin->vertex == b) return std::nullopt;
+			if (s->outside()) continue;
+			for (auto k : s->face->sides()) if (k->vertex == b) return std::nullopt;
+		}
+		for (auto s : b->spokes()) if (s->edge != e2 && seen.count(s->twin->vertex)) return std::nullopt;
+	}
+	for (auto& [a, b] : meet) {
+		if (a == b) continue;
+		a->position = (a->position + b->position) / 2.0f;
+		for (auto s : b->spokes()) s->vertex = a;
+	}
+	HalfedgeRef hp = h->prev(), gp = g->prev(), hn = h->next, gn = g->next;
+	FaceRef fh = h->face, fg = g->face;
+	vector<HalfedgeRef> rest;
+	if (hn != g) { gp->next = hn; rest.push_back(hn); }
+	if (gn != h) { hp->next = gn; rest.push_back(gn); }
+	for (auto r : rest) {
+		if (r->face != fh && r->face != fg) continue;  // named already
+		FaceRef f = emplace_face(true);
+		f->halfedge = r;
+		for (auto k : f->sides()) k->face = f;
+	}
+	pair_up(hi, gi, e);
+	hi->vertex->halfedge = hi;
+	gi->vertex->halfedge = gi;
+	for (auto& [a, b] : meet) if (a != b) erase_vertex(b);
+	erase_halfedge(h); erase_halfedge(g); erase_edge(e2);
+	erase_face(fh);
+	if (fg != fh) erase_face(fg);
+	return e;
+}
+
+void Halfedge_Mesh::extrude_positions(FaceRef face, Vec3 move, float shrink) {
+	if (face->boundary) return;
+	auto sides = face->sides();
+	vector<Vec3> outer;
+	Vec3 mean;
+	for (auto s : sides) {
+		// the corner below: across the side, and back down
+		outer.push_back(s->twin->next->twin->vertex->position);
+		mean += outer.back() / float(sides.size());
+	}
+	for (size_t i = 0; i < sides.size(); i++) sides[i]->vertex->position = lerp(outer[i], mean, shrink) + move;
+}
+
+void Halfedge_Mesh::bevel_positions(FaceRef face, std::vector<Vec3> const &starts, Vec3 direction, float distance) {
+	size_t i = 0;
+	for (auto s : face->sides()) {
+		HalfedgeRef out = s->twin->next;
+		Vec3 u = (out->twin->vertex->position - starts[i]).unit();
+		s->vertex->position = starts[i] + distance / dot(direction, u) * u;
+		i++;
+	}
+}
