@@ -60,8 +60,7 @@ class PlacementCases {
       const std::uint32_t n = count_elements(built, operation.picks);
       const auto step = std::max<std::uint32_t>(1, n / static_cast<std::uint32_t>(most));
       for (std::uint32_t place = 0; place < n; place += step) {
-        const Answer answer =
-            operation.answer(lists, pick(built, operation.picks, place));
+        const Answer answer = operation.answer(lists, pick(built, operation.picks, place));
         if (answer.demand != Demand::kMust) continue;
         const std::string element =
             element_name(operation.picks, find_element(built, operation.picks, place));
@@ -101,7 +100,8 @@ class PlacementCases {
     };
     const auto& all = answer.after.faces;
     const auto face = std::find_if(all.begin(), all.end(), is_it) - all.begin();
-    return {std::move(name), as_polygons(answer.after), 0, static_cast<std::uint32_t>(face), {}};
+    return {
+        std::move(name), as_polygons(answer.after), 0, static_cast<std::uint32_t>(face), {}};
   }
 
   std::vector<Placement> drawn(const PlacementInput& face, std::size_t n) {

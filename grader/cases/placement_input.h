@@ -23,8 +23,8 @@ struct Placement {
 };
 
 struct PlacementInput {
-  std::string mesh_name;  ///< for titles: "v3 of prism_5.obj, bevelled"
-  PolygonMesh mesh;       ///< with the face, and a ring of faces around it
+  std::string mesh_name;           ///< for titles: "v3 of prism_5.obj, bevelled"
+  PolygonMesh mesh;                ///< with the face, and a ring of faces around it
   std::uint32_t anchor_turns = 0;  ///< how often every element gets the next anchor around it
   std::uint32_t face = 0;          ///< which polygon
   std::vector<Placement> calls;    ///< one after the other, without anything between

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grader/base/text.h"
 #include "grader/base/wire.h"
 #include "grader/judge/findings.h"
-#include "grader/judge/options.h"
 #include "grader/judge/unchanged_mesh.h"
 #include "grader/operations/picked_element.h"
 
@@ -80,8 +80,7 @@ class PlacementJudge {
     Point3 mean{};
     for (const Ref v : ring_.corners) {
       for (std::size_t k = 0; k < 3; ++k)
-        mean[k] +=
-            begin.vertices[v].position[k] / static_cast<double>(ring_.corners.size());
+        mean[k] += begin.vertices[v].position[k] / static_cast<double>(ring_.corners.size());
     }
     return {begin.vertices[ring_.corners[i]].position, mean,
             start_.vertices[ring_.outer[i]].position};
@@ -120,7 +119,8 @@ class PlacementJudge {
   }
 
   /// What was done in place of the right thing; empty if that cannot be told.
-  std::string mistake_of(std::size_t step, const MeshDump& before, const MeshDump& after) const {
+  std::string mistake_of(std::size_t step, const MeshDump& before,
+                         const MeshDump& after) const {
     if (step > 0 && fits(rules_.right, step, before, after))
       return "the corners are moved on from where the last call left them, and not placed from "
              "where they began: with the mouse held still they would drift away";
@@ -140,6 +140,8 @@ class PlacementJudge {
   CaseJudgement& judgement_;
 };
 
+}  // namespace
+
 void judge_placements(const JudgeTask& task, const PlacementRules& rules,
                       CaseJudgement& judgement) {
   const auto input = from_wire<PlacementInput>(task.asked.input);
@@ -156,19 +158,6 @@ void judge_placements(const JudgeTask& task, const PlacementRules& rules,
     before = std::move(after);
   }
   require_all_steps(task.outcome, input.calls.size());
-}
-
-}  // namespace
-
-ExerciseJudge placement_judge(const ExerciseRubric& rubric, const PlacementRules& rules) {
-  refuse_unknown_options(rubric, {});
-  ExerciseJudge judge;
-  judge.functions = {rules.function};
-  judge.judge_steps = [rules](const JudgeTask& task, Conventions& /*conventions*/,
-                              CaseJudgement& judgement) {
-    judge_placements(task, rules, judgement);
-  };
-  return judge;
 }
 
 }  // namespace meshgrade

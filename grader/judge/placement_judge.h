@@ -22,11 +22,13 @@ struct PlacementFormula {
 };
 
 struct PlacementRules {
-  std::string function;                    ///< "PolyMesh::placeExtruded"
+  std::string function;  ///< "PolyMesh::placeExtruded"
   PlacementFormula right;
   std::vector<PlacementFormula> mistakes;  ///< those that are made most often first
 };
 
-ExerciseJudge placement_judge(const ExerciseRubric& rubric, const PlacementRules& rules);
+/// Judges the places after each call, and that nothing else has changed.
+void judge_placements(const JudgeTask& task, const PlacementRules& rules,
+                      CaseJudgement& judgement);
 
 }  // namespace meshgrade

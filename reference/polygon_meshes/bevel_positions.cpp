@@ -15,9 +15,9 @@ namespace meshedit {
 //       a                b        a               b
 //
 // starts[i] is where corner i was when the face was made, from the vertex of f->halfedge() on.
-// The corner stays on its edge to the outer vertex: u is the unit vector from the start to that.
-// It goes so far that it has gone `distance` IN THE DIRECTION: t = distance / dot(direction, u).
-// `direction` has length 1. Each call begins at the starts.
+// The corner stays on its edge to the outer vertex: u is the unit vector from the start to
+// that. It goes so far that it has gone `distance` IN THE DIRECTION: t = distance /
+// dot(direction, u). `direction` has length 1. Each call begins at the starts.
 void PolyMesh::placeBevelled(FaceIter f, const std::vector<Vector3D>& starts,
                              const Vector3D& direction, double distance) {
   // SOLUTION BEGIN PolyMesh::placeBevelled

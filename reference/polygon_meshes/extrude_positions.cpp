@@ -24,9 +24,9 @@ VertexIter outerCornerOf(HalfedgeIter side) {
 //      | .q0 --- q1. |
 //      p0 --------- p1
 //
-// shrink 0 is full size, 1 is a point, and less than 0 is larger. This is called again and again
-// while the mouse moves, with all that it has moved since it went down: each call begins at p,
-// never at where the last one left q.
+// shrink 0 is full size, 1 is a point, and less than 0 is larger. This is called again and
+// again while the mouse moves, with all that it has moved since it went down: each call begins
+// at p, never at where the last one left q.
 void PolyMesh::placeExtruded(FaceIter f, const Vector3D& move, double shrink) {
   // SOLUTION BEGIN PolyMesh::placeExtruded
   std::vector<HalfedgeIter> sides;

@@ -15,8 +15,7 @@ double least_along(const PlacementInput& face, const Point3& direction) {
     const Point3 way{corner.outer[0] - corner.at[0], corner.outer[1] - corner.at[1],
                      corner.outer[2] - corner.at[2]};
     const double length = std::hypot(way[0], way[1], way[2]);
-    const double dot =
-        way[0] * direction[0] + way[1] * direction[1] + way[2] * direction[2];
+    const double dot = way[0] * direction[0] + way[1] * direction[1] + way[2] * direction[2];
     least = std::min(least, std::abs(dot) / length);
   }
   return least;
@@ -30,7 +29,7 @@ Placement draw_bevel(const PlacementInput& face, double size, Random& random) {
   for (int tries = 0; tries < 200 && most < kLeastAlong; ++tries) {
     Point3 direction;
     for (double& x : direction)
-      x = random.uniform(-1.0, 1.0);
+      x = random.between(-1.0, 1.0);
     const double length = std::hypot(direction[0], direction[1], direction[2]);
     for (double& x : direction)
       x /= length;
@@ -39,7 +38,7 @@ Placement draw_bevel(const PlacementInput& face, double size, Random& random) {
     most = along;
     best.vector = direction;
   }
-  best.amount = random.uniform(0.02, 0.12) * size * std::min(1.0, most);
+  best.amount = random.between(0.02, 0.12) * size * std::min(1.0, most);
   return best;
 }
 
@@ -47,7 +46,8 @@ Placement draw_bevel(const PlacementInput& face, double size, Random& random) {
 
 void make_bevel_positions_cases(CaseMaker& maker) {
   make_placement_cases(
-      maker, {"PolyMesh::placeBevelled", {"vertex_bevel", "edge_bevel"}, "bevelled", draw_bevel});
+      maker,
+      {"PolyMesh::placeBevelled", {"vertex_bevel", "edge_bevel"}, "bevelled", draw_bevel});
 }
 
 void shrink_bevel_positions_case(CaseMaker& /*maker*/, const Case& /*failed*/) {}

@@ -7,8 +7,8 @@ namespace {
 Placement draw_extrusion(const PlacementInput& /*face*/, double size, Random& random) {
   Placement placement;
   for (double& x : placement.vector)
-    x = random.uniform(-size, size);
-  placement.amount = random.uniform(-0.3, 0.9);
+    x = random.between(-size, size);
+  placement.amount = random.between(-0.3, 0.9);
   return placement;
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "grader/judge/options.h"
 #include "grader/judge/placement_judge.h"
 
 namespace meshgrade {
@@ -32,7 +33,7 @@ Point3 along(const PlacedCorner& corner, const Point3& direction, double t) {
   return place;
 }
 
-Point3 right_place(const PlacedCorner& corner, const Placement& asked) {
+Point3 bevelled_place(const PlacedCorner& corner, const Placement& asked) {
   const Point3 unit = way_out(corner).unit;
   return along(corner, unit, asked.amount / dot(asked.vector, unit));
 }
@@ -55,26 +56,37 @@ Point3 by_the_length(const PlacedCorner& corner, const Placement& asked) {
   return along(corner, way.unit, way.length * asked.amount / dot(asked.vector, way.unit));
 }
 
-Point3 turned_round(const PlacedCorner& corner, const Placement& asked) {
+Point3 bevelled_turned_round(const PlacedCorner& corner, const Placement& asked) {
   const Point3 unit = way_out(corner).unit;
   return along(corner, unit, -asked.amount / dot(asked.vector, unit));
+}
+
+const PlacementRules& bevelled_rules() {
+  static const PlacementRules rules{
+      "PolyMesh::placeBevelled",
+      {bevelled_place},
+      {{by_the_distance,
+        "each corner goes the distance along its edge, and not so far that it has gone the "
+        "distance in the direction: divide by the dot product of the two"},
+       {by_the_projection,
+        "the distance is multiplied by the dot product of edge and direction: divide by it"},
+       {in_the_direction, "the corners leave their edges and go in the direction itself"},
+       {by_the_length, "the edge is not brought to length 1 before it is multiplied"},
+       {bevelled_turned_round, "the corners go the other way: the sign is turned round"}}};
+  return rules;
 }
 
 }  // namespace
 
 ExerciseJudge bevel_positions_judge(const ExerciseRubric& rubric) {
-  return placement_judge(
-      rubric,
-      {"PolyMesh::placeBevelled",
-       {right_place},
-       {{by_the_distance,
-         "each corner goes the distance along its edge, and not so far that it has gone the "
-         "distance in the direction: divide by the dot product of the two"},
-        {by_the_projection,
-         "the distance is multiplied by the dot product of edge and direction: divide by it"},
-        {in_the_direction, "the corners leave their edges and go in the direction itself"},
-        {by_the_length, "the edge is not brought to length 1 before it is multiplied"},
-        {turned_round, "the corners go the other way: the sign is turned round"}}});
+  refuse_unknown_options(rubric, {});
+  ExerciseJudge judge;
+  judge.functions = {bevelled_rules().function};
+  judge.judge_steps = [](const JudgeTask& task, Conventions& /*conventions*/,
+                         CaseJudgement& judgement) {
+    judge_placements(task, bevelled_rules(), judgement);
+  };
+  return judge;
 }
 
 }  // namespace meshgrade

@@ -1,3 +1,4 @@
+#include "grader/judge/options.h"
 #include "grader/judge/placement_judge.h"
 
 namespace meshgrade {
@@ -12,7 +13,7 @@ Point3 extruded(const PlacedCorner& corner, const Point3& centre, double shrink,
   return place;
 }
 
-Point3 right_place(const PlacedCorner& corner, const Placement& asked) {
+Point3 extruded_place(const PlacedCorner& corner, const Placement& asked) {
   return extruded(corner, corner.mean, asked.amount, asked.vector);
 }
 
@@ -24,7 +25,7 @@ Point3 as_a_factor(const PlacedCorner& corner, const Placement& asked) {
   return extruded(corner, corner.mean, 1.0 - asked.amount, asked.vector);
 }
 
-Point3 turned_round(const PlacedCorner& corner, const Placement& asked) {
+Point3 extruded_turned_round(const PlacedCorner& corner, const Placement& asked) {
   return extruded(corner, corner.mean, -asked.amount, asked.vector);
 }
 
@@ -39,19 +40,32 @@ Point3 with_smaller_move(const PlacedCorner& corner, const Placement& asked) {
   return extruded(corner, corner.mean, asked.amount, move);
 }
 
+const PlacementRules& extruded_rules() {
+  static const PlacementRules rules{
+      "PolyMesh::placeExtruded",
+      {extruded_place},
+      {{towards_the_origin,
+        "the corners shrink towards the origin, and not towards the mean of the outer "
+        "corners"},
+       {with_smaller_move, "the move is made smaller by shrink: it is added last, as a whole"},
+       {as_a_factor, "shrink is taken for what is left of the size: 0 is full size, 1 a point"},
+       {extruded_turned_round,
+        "a positive shrink makes the face larger: the sign is turned round"},
+       {without_move, "the move is left out"}}};
+  return rules;
+}
+
 }  // namespace
 
 ExerciseJudge extrude_positions_judge(const ExerciseRubric& rubric) {
-  return placement_judge(
-      rubric,
-      {"PolyMesh::placeExtruded",
-       {right_place},
-       {{towards_the_origin,
-         "the corners shrink towards the origin, and not towards the mean of the outer corners"},
-        {with_smaller_move, "the move is made smaller by shrink: it is added last, as a whole"},
-        {as_a_factor, "shrink is taken for what is left of the size: 0 is full size, 1 a point"},
-        {turned_round, "a positive shrink makes the face larger: the sign is turned round"},
-        {without_move, "the move is left out"}}});
+  refuse_unknown_options(rubric, {});
+  ExerciseJudge judge;
+  judge.functions = {extruded_rules().function};
+  judge.judge_steps = [](const JudgeTask& task, Conventions& /*conventions*/,
+                         CaseJudgement& judgement) {
+    judge_placements(task, extruded_rules(), judgement);
+  };
+  return judge;
 }
 
 }  // namespace meshgrade

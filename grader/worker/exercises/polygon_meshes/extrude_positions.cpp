@@ -5,12 +5,12 @@
 namespace meshgrade {
 
 void run_extrude_positions(WireReader& input, Recorder& recorder) {
-  run_placements(input, recorder,
-                 [](meshedit::PolyMesh& mesh, meshedit::FaceIter face,
-                    const std::vector<meshedit::Vector3D>& /*starts*/,
-                    const Placement& placement) {
-                   mesh.placeExtruded(face, to_vector(placement.vector), placement.amount);
-                 });
+  run_placements(
+      input, recorder,
+      [](meshedit::PolyMesh& mesh, meshedit::FaceIter face,
+         const std::vector<meshedit::Vector3D>& /*starts*/, const Placement& placement) {
+        mesh.placeExtruded(face, to_vector(placement.vector), placement.amount);
+      });
 }
 
 }  // namespace meshgrade
