@@ -218,6 +218,15 @@ double sum_points(const std::vector<Group>& groups, bool extra_credit) {
 
 }  // namespace
 
+std::string ExerciseRubric::by_other_names(std::string text) const {
+  for (const auto& [ours, other] : other_names) {
+    for (std::size_t at = text.find(ours); at != std::string::npos;
+         at = text.find(ours, at + other.size()))
+      text.replace(at, ours.size(), other);
+  }
+  return text;
+}
+
 double ExerciseRubric::points() const {
   return sum_points(groups, false);
 }

@@ -58,6 +58,12 @@ struct ExerciseRubric {
   std::map<std::string, Option> options;  ///< by their names
   std::vector<Group> groups;
   std::string place;  ///< "assignment.toml:42", for messages
+  /// Functions by the names of our skeleton, and what they are called in the one that the
+  /// submission was written for. Empty for ours.
+  std::vector<std::pair<std::string, std::string>> other_names = {};
+
+  /// A text with these functions called as in the submission's skeleton.
+  std::string by_other_names(std::string text) const;
 
   double points() const;        ///< without extra credit
   double extra_points() const;  ///< extra credit

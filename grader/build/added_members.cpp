@@ -29,9 +29,9 @@ std::vector<std::string> names_in(const std::string& text) {
 
 /// What the course calls this class; empty if it is none of the course's.
 std::string course_class(const std::string& name) {
-  static const std::set<std::string> classes{"Halfedge",    "Vertex",     "Edge",
-                                             "EdgeRecord",  "Face",       "HalfedgeMesh",
-                                             "BezierCurve", "BezierPatch"};
+  static const std::set<std::string> classes{"Halfedge",    "Vertex",      "Edge",
+                                             "EdgeRecord",  "Face",        "HalfedgeMesh",
+                                             "BezierCurve", "BezierPatch", "Halfedge_Mesh"};
   const std::size_t year = name.rfind("2017");  // see include/dropin/course_2017.h
   const std::string plain =
       year != std::string::npos && year + 4 == name.size() ? name.substr(0, year) : name;

@@ -14,11 +14,12 @@
 #include "grader/build/tool_words.h"
 #include "grader/build/unit_compiler.h"
 #include "grader/submission/course_files.h"
+#include "grader/submission/scotty3d_files.h"
 
 namespace meshgrade {
 namespace {
 
-/// What connects a homework for Berkeley's skeleton with the worker. Where the student's header
+/// What connects a homework for another skeleton with the worker. Where the student's header
 /// does not compile, neither do they, and the functions behind them are "not implemented".
 std::vector<std::string> adapter_files(Dialect dialect) {
   switch (dialect) {
@@ -29,6 +30,8 @@ std::vector<std::string> adapter_files(Dialect dialect) {
       return {"adapter.cpp"};
     case Dialect::kCourse2017:
       return {"adapter.cpp", "adapter_2017.cpp"};
+    case Dialect::kScotty3d:
+      return {"adapter.cpp", "mesh_bridge.cpp", "halfedge_mesh.cpp"};
   }
   return {};
 }
@@ -67,7 +70,7 @@ class Builder {
   void compile_all() {
     begin_files();
     const std::vector<Unit> units = divide();
-    const std::size_t drivers = splice_.empty() ? 0 : 1;
+    const std::size_t drivers = has_driver() ? 1 : 0;
     in_parallel(cores_of(home_), units.size() + drivers, [&](std::size_t i) {
       if (i < units.size()) {
         compile_unit(units[i]);
@@ -85,7 +88,12 @@ class Builder {
       rests_.emplace_back(source.name, source.text);
       LeavingOut& rest = rests_.back();
       if (submission_.dialect == Dialect::kCourse2016) rest.remove_members("BezierPatch");
-      if (submission_.dialect != Dialect::kMeshedit) rest.mark_unwritten(graded_functions());
+      if (is_berkeleys(submission_.dialect)) rest.mark_unwritten(graded_functions());
+      if (submission_.dialect == Dialect::kScotty3d) {
+        rest.mark_refusing(scotty3d_graded_functions());
+        // The grader's own takes down what it is given.
+        rest.remove_function("Halfedge_Mesh::catmark_subdivide_helper");
+      }
       build_.files.emplace_back().name = source.name;
     }
     for (const std::string& adapter : adapter_files(submission_.dialect))
@@ -142,9 +150,22 @@ class Builder {
     }
   }
 
+  /// Whether the worker's own part is compiled anew: it sees the classes that the student has
+  /// added to.
+  bool has_driver() const {
+    return !splice_.empty() && submission_.dialect != Dialect::kScotty3d;
+  }
+
+  /// Whether what is not the student's compiles with the members that were added.
+  bool is_own_part_fine() const {
+    if (has_driver()) return driver_ok_;
+    return std::all_of(build_.files.begin() + static_cast<std::ptrdiff_t>(rests_.size()),
+                       build_.files.end(), [](const BuiltFile& file) { return file.ok; });
+  }
+
   /// @return whether there are new members, and everything has to be compiled again
   bool add_members_from_use() {
-    if (submission_.dialect == Dialect::kMeshedit) return false;
+    if (!is_berkeleys(submission_.dialect)) return false;
     std::string messages;
     for (const BuiltFile& file : build_.files)
       messages += file.messages + "\n";
@@ -169,7 +190,7 @@ class Builder {
     const std::string place = place_of_member(submission_.course_headers, use.name);
     const auto& headers = submission_.course_headers;
     const bool is_here = std::any_of(headers.begin(), headers.end(), [](const SourceFile& h) {
-      return h.name == "halfEdgeMesh.h";
+      return h.name == "halfEdgeMesh.h" || h.name == "halfedge.h";
     });
     const bool missing = !is_here && !MemberSplice::is_slip(use);
     left.not_judged = splice_.is_declared(use) || !place.empty() || missing;
@@ -190,7 +211,7 @@ class Builder {
 
   /// @return whether everything has to be compiled again, without the members
   bool is_driver_missing() {
-    if (splice_.empty() || driver_ok_) return false;
+    if (splice_.empty() || is_own_part_fine()) return false;
     splice_.drop_all("the grader's own part does not compile with them");
     return true;
   }
@@ -245,7 +266,7 @@ class Builder {
         objects.push_back(objects_[i]);
     }
     return link_worker(workshop, home_, compiler_.flags(),
-                       {objects, splice_.empty() ? "" : kDriver, kWorker});
+                       {objects, has_driver() ? kDriver : "", kWorker});
   }
 
   /// Leaves out functions that call what is defined nowhere.

@@ -141,9 +141,29 @@ bool does_nothing(const std::string& head, const std::string& body) {
   return Pattern("\\b" + returned + "\\s{0,20}\\)").is_in(head);
 }
 
+/// Whether a body, from brace to brace, only refuses.
+bool only_refuses(const std::string& body) {
+  static const Pattern form(
+      "\\{(?:\\(void\\)\\w+;){0,8}(?:return;|return(?: std::| )nullopt;|return\\{\\};|"
+      "return false;)?\\}");
+  constexpr std::size_t kMost = 400;  // std::regex goes as deep as a text is long
+  const std::string code = squeeze(code_only(body));
+  return code.size() <= kMost && form.matches(code);
+}
+
 }  // namespace
 
 void LeavingOut::mark_unwritten(const std::set<std::string>& functions) {
+  mark(functions, does_nothing);
+}
+
+void LeavingOut::mark_refusing(const std::set<std::string>& functions) {
+  mark(functions,
+       [](const std::string& /*head*/, const std::string& body) { return only_refuses(body); });
+}
+
+template <class DoesNothing>
+void LeavingOut::mark(const std::set<std::string>& functions, DoesNothing does_nothing) {
   std::vector<FunctionExtent> found = find_functions(text_);
   std::reverse(found.begin(), found.end());  // so that offsets before stay right
   for (const FunctionExtent& function : found) {

@@ -43,6 +43,11 @@ class LeavingOut {
   /// nothing, such as `Vector3D()` or the edge that it was given.
   void mark_unwritten(const std::set<std::string>& functions);
 
+  /// The same for the skeleton of Scotty3D: a body that does nothing but to refuse, with
+  /// `return std::nullopt;` or `return false;`, or that has no statements. Those that only say
+  /// that a parameter is not used, `(void)e;`, do not count.
+  void mark_refusing(const std::set<std::string>& functions);
+
   /// Takes out all members of a class.
   void remove_members(const std::string& class_name);
 
@@ -50,6 +55,8 @@ class LeavingOut {
   void remove_function(const std::string& name);
 
  private:
+  template <class DoesNothing>
+  void mark(const std::set<std::string>& functions, DoesNothing does_nothing);
   template <class Chosen>
   void remove(Chosen chosen);
 

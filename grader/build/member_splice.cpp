@@ -7,6 +7,7 @@
 
 #include "grader/base/pattern.h"
 #include "grader/base/text.h"
+#include "grader/build/scotty3d_classes.h"
 #include "grader/submission/code_only.h"
 #include "grader/submission/course_files.h"
 #include "grader/submission/function_extents.h"
@@ -35,9 +36,14 @@ const std::map<std::string, std::string>& open_classes_of_2017() {
   return files;
 }
 
+/// The classes of the skeleton, and the files of what is added to them.
+const std::map<std::string, std::string>& open_classes_of(Dialect dialect) {
+  return dialect == Dialect::kScotty3d ? scotty3d_open_classes() : open_classes();
+}
+
 /// In 2016 the Bezier part is another one, and left out.
 bool is_open(const std::string& class_name, Dialect dialect) {
-  return open_classes().count(class_name) != 0 &&
+  return open_classes_of(dialect).count(class_name) != 0 &&
          (dialect != Dialect::kCourse2016 || class_name.rfind("Bezier", 0) != 0);
 }
 
@@ -89,6 +95,7 @@ bool is_rare_member_of_course(const ClassMember& member) {
 }
 
 bool is_of_course(const ClassMember& member, Dialect dialect) {
+  if (dialect == Dialect::kScotty3d) return is_in_our_scotty3d_class(member);
   const bool old = dialect == Dialect::kCourse2017;
   const Words& known =
       (old ? course_members_of_2017() : course_members()).at(member.class_name);
@@ -258,7 +265,8 @@ Texts texts_of(const std::vector<AddedPiece>& pieces) {
 }  // namespace
 
 MemberSplice::MemberSplice(const Submission& submission) : dialect_(submission.dialect) {
-  if (submission.dialect == Dialect::kMeshedit) return;
+  if (dialect_ == Dialect::kScotty3d) add_scotty3d(submission);
+  if (!is_berkeleys(submission.dialect)) return;
   for (const SourceFile& header : submission.course_headers)
     add_header(header);
   for (const SourceFile& header : submission.course_headers)
@@ -268,8 +276,24 @@ MemberSplice::MemberSplice(const Submission& submission) : dialect_(submission.d
   keep_used(submission);
 }
 
+void MemberSplice::add_scotty3d(const Submission& submission) {
+  for (const SourceFile& header : submission.course_headers) {
+    if (header.name != "halfedge.h") continue;
+    add_header(header);
+    add_definitions(header);
+  }
+  for (const SourceFile& source : submission.course_sources)
+    add_definitions(source);
+  keep_used(submission);
+  for (AddedPiece& piece :
+       scotty3d_members_defined(submission.sources, {declared_.begin(), declared_.end()})) {
+    declared_.emplace_back(piece.member.class_name, piece.member.names[0]);
+    pieces_.push_back(std::move(piece));
+  }
+}
+
 void MemberSplice::add_header(const SourceFile& header) {
-  for (const auto& [class_name, file] : open_classes()) {
+  for (const auto& [class_name, file] : open_classes_of(dialect_)) {
     if (!is_open(class_name, dialect_)) continue;
     for (const ClassMember& member : find_members(header.text, class_name)) {
       if (is_of_course(member, dialect_)) continue;
@@ -284,7 +308,9 @@ void MemberSplice::add_header(const SourceFile& header) {
 void MemberSplice::add_definitions(const SourceFile& file) {
   if (declared_.empty() && !is_header_name(file.name)) return;
   for (const FunctionExtent& function : find_functions(file.text)) {
-    const std::string name = without_namespace(function.name);
+    const std::string name = dialect_ == Dialect::kScotty3d
+                                 ? without_scotty3d_mesh(function.name)
+                                 : without_namespace(function.name);
     const std::size_t colons = name.find("::");
     const std::string class_name = colons == std::string::npos ? "" : name.substr(0, colons);
     const MemberUse member{class_name, class_name.empty() ? name : name.substr(colons + 2), ""};
@@ -413,6 +439,11 @@ bool MemberSplice::is_slip(const MemberUse& use) {
 
 std::vector<SourceFile> MemberSplice::files() const {
   Texts texts = texts_of(pieces_);
+  if (dialect_ == Dialect::kScotty3d) {
+    for (const auto& [class_name, text] : texts.data)
+      texts.functions[class_name] = text + texts.functions[class_name];
+    return scotty3d_added_files(texts.functions, texts.later);
+  }
   std::string data = kDataHead;
   std::string bases;
   std::vector<SourceFile> files;
@@ -441,6 +472,11 @@ std::vector<std::string> MemberSplice::notes() const {
   std::map<std::string, std::vector<std::string>> taken;  // by file
   for (const AddedPiece& piece : pieces_) {
     if (piece.file.empty() || is_rare_member_of_course(piece.member)) continue;
+    // What the course itself hands out in the student's files is nobody's addition.
+    const bool is_known =
+        dialect_ == Dialect::kScotty3d &&
+        (is_source_name(piece.file) || is_provided_by_scotty3d(piece.member.names[0]));
+    if (is_known) continue;
     std::vector<std::string>& names = taken[piece.file];
     const std::string name = joined_name(piece.member);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);

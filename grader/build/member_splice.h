@@ -20,6 +20,9 @@ struct AddedPiece {
 /// classes, on their way into the grader's own. The data become a base of the class, the
 /// functions stand in the class: the shared headers include the files that this makes. All that
 /// sees these classes in one build must be compiled with the same data.
+///
+/// In homework for Scotty3D data and functions stand in the classes of include/dropin_scotty3d,
+/// which the worker does not see; and what the student's files define need not be declared.
 class MemberSplice {
  public:
   MemberSplice() = default;
@@ -55,6 +58,7 @@ class MemberSplice {
 
  private:
   bool add_defined(const MemberUse& use, const Submission& submission);
+  void add_scotty3d(const Submission& submission);
   void add_header(const SourceFile& header);
   void add_definitions(const SourceFile& file);
   void keep_used(const Submission& submission);

@@ -66,7 +66,7 @@ ProcessResult UnitCompiler::compile(const std::vector<SourceFile>& unit,
 
 ProcessResult UnitCompiler::compile_adapter(const std::string& name,
                                             const std::string& object) const {
-  return run({{name, ""}}, home_.include / "dropin" / name.substr(1), object);
+  return run({{name, ""}}, dropin() / name.substr(1), object);
 }
 
 ProcessResult UnitCompiler::compile_driver(const std::string& object) const {
@@ -88,7 +88,7 @@ ProcessResult UnitCompiler::try_headers() const {
   workshop.put(kProbe, "");
   std::vector<std::string> arguments{home_.compiler, flags_};
   add_headers(arguments);
-  add_later(arguments);
+  if (adds_later()) add_later(arguments);
   arguments.insert(arguments.end(), {"-c", kProbe, "-o", "probe.o"});
   return workshop.run(std::move(arguments), "probe.o");
 }
@@ -143,17 +143,30 @@ void UnitCompiler::put_headers(const Workshop& workshop) const {
 void UnitCompiler::add_headers(std::vector<std::string>& arguments) const {
   // First what was handed in: the dropin folder has headers to stand in for the student's.
   arguments.insert(arguments.end(), {"-I.", "-I" + home_.include.string(), "-include"});
-  if (splice_.empty()) {
+  if (splice_.empty() || submission_.dialect == Dialect::kScotty3d) {
     arguments.push_back(home_.kit / "precompiled.h");
+    if (!splice_.empty()) arguments.emplace_back("-DSCOTTY3D_ADDED");
   } else {
     arguments.insert(arguments.end(), {home_.include / "meshedit" / "meshedit.h",
                                        "-DMESHEDIT_ADDED", "-DMESHEDIT_ADDED_FUNCTIONS"});
   }
   if (submission_.dialect == Dialect::kMeshedit) return;
-  const fs::path dropin = home_.include / "dropin";
+  if (submission_.dialect == Dialect::kScotty3d)
+    arguments.push_back("-I" + (dropin() / "geometry").string());
   const bool old = submission_.dialect == Dialect::kCourse2017;
-  arguments.insert(arguments.end(), {"-I" + dropin.string(), "-include",
-                                     dropin / (old ? "course_2017.h" : "course.h")});
+  arguments.insert(arguments.end(), {"-I" + dropin().string(), "-include",
+                                     dropin() / (old ? "course_2017.h" : "course.h")});
+}
+
+/// Whether members that the student added need a file of their own, behind all headers.
+bool UnitCompiler::adds_later() const {
+  return !splice_.empty() && submission_.dialect != Dialect::kScotty3d;
+}
+
+/// Where the headers by the names of the course are.
+fs::path UnitCompiler::dropin() const {
+  return home_.include /
+         (submission_.dialect == Dialect::kScotty3d ? "dropin_scotty3d" : "dropin");
 }
 
 /// @param file  of the unit, or another one that is all of them
@@ -188,7 +201,7 @@ ProcessResult UnitCompiler::run_anew(const std::vector<SourceFile>& unit,
                                      "-ffile-prefix-map=" + workshop.folder().string() + "=."};
   add_headers(arguments);
   const bool is_adapter = fs::path(file).is_absolute();
-  if (!splice_.empty() && !is_adapter) add_later(arguments);
+  if (adds_later() && !is_adapter) add_later(arguments);
   arguments.insert(arguments.end(), {"-c", file, "-o", object});
   ProcessResult result = workshop.run(std::move(arguments), object);
   if (result.ok()) workshop.hand_over(object, objects_);

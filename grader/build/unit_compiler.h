@@ -46,6 +46,8 @@ class UnitCompiler {
  private:
   void put_headers(const Workshop& workshop) const;
   void add_headers(std::vector<std::string>& arguments) const;
+  std::filesystem::path dropin() const;
+  bool adds_later() const;
   std::vector<std::vector<std::size_t>> units_of_before(
       const std::vector<SourceFile>& sources, const std::vector<std::size_t>& joined) const;
   ProcessResult run(const std::vector<SourceFile>& unit, const std::string& file,

@@ -115,6 +115,8 @@ void CaseMaker::add_packed(const std::string& group, const std::string& title,
   const auto named = [&](const Group& g) { return g.name == group; };
   if (std::none_of(rubric_.groups.begin(), rubric_.groups.end(), named)) return;
   if (calls.empty()) calls = main_function(rubric_.name);
+  for (std::string& function : calls)
+    function = rubric_.by_other_names(std::move(function));
   const auto number = std::count_if(cases_.begin(), cases_.end(),
                                     [&](const Case& c) { return c.group == group; });
   cases_.push_back({rubric_.name, group, static_cast<int>(number) + 1, title, std::move(input),

@@ -158,7 +158,12 @@ class OperationCases {
     constexpr std::uint32_t kSide = 100;
     const PolygonMesh mesh = quad_grid(kSide, kSide);
     const MeshDump built = built_mesh(mesh);
-    const std::uint32_t inside = count_elements(built, operation_.picks) / 2 + kSide / 2;
+    const std::uint32_t middle = count_elements(built, operation_.picks) / 2;
+    // Of one kind of elements a row begins in the middle of the list, of another it does not.
+    const Surface surface(face_lists_of(built));
+    const Picked in_a_row = pick(built, operation_.picks, middle + kSide / 2);
+    const std::uint32_t inside =
+        touches_boundary(surface, in_a_row) ? middle : middle + kSide / 2;
     for (const std::uint32_t place : {inside, 0U}) {
       Places places{place};
       if (operation_.picks_two) places.push_back(place + 2 * kSide);

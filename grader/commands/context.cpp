@@ -14,6 +14,7 @@
 #include "grader/cases/own_meshes.h"
 #include "grader/commands/installed_home.h"
 #include "grader/commands/kept_work.h"
+#include "grader/grade/dialect_fit.h"
 #include "grader/judge/judge.h"
 #include "grader/sandbox/system_paths.h"
 #include "grader/submission/function_extents.h"
@@ -156,23 +157,31 @@ Assignment load_assignment(const std::string& file) {
 
 namespace {
 
-/// The functions that the files of a submission define; none where it cannot be read, which is
-/// told where it is read to be graded.
-std::set<std::string> functions_of(const fs::path& submission) {
+/// What the files of a submission define, and for which skeleton.
+struct Definitions {
   std::set<std::string> functions;
+  Dialect dialect = Dialect::kMeshedit;
+};
+
+/// None where a submission cannot be read, which is told where it is read to be graded.
+Definitions definitions_of(const fs::path& submission) {
+  Definitions definitions;
   try {
     const Submission found = find_submission(submission, SubmissionRules());
+    definitions.dialect = found.dialect;
     for (const SourceFile* file : own_files(found)) {
       for (const FunctionExtent& function : find_functions(file->text))
-        functions.insert(function.name);
+        definitions.functions.insert(function.name);
     }
   } catch (const UserError&) {
   }
-  return functions;
+  return definitions;
 }
 
-bool is_about(const Assignment& assignment, const std::set<std::string>& defined) {
-  for (const ExerciseRubric& rubric : assignment.exercises) {
+bool is_about(const Assignment& assignment, const Definitions& definitions) {
+  const Assignment asked = fit_to_dialect(assignment, definitions.dialect);
+  const std::set<std::string>& defined = definitions.functions;
+  for (const ExerciseRubric& rubric : asked.exercises) {
     for (const std::string& function : find_exercise_judge(rubric).functions) {
       if (defined.count(function) != 0) return true;
     }
@@ -185,8 +194,8 @@ bool is_about(const Assignment& assignment, const std::set<std::string>& defined
 Assignment load_assignment_of(const std::string& file, const fs::path& submission) {
   Assignment assignment = load_assignment(file);
   if (!file.empty()) return assignment;
-  const std::set<std::string> defined = functions_of(submission);
-  if (defined.empty() || is_about(assignment, defined)) return assignment;
+  const Definitions defined = definitions_of(submission);
+  if (defined.functions.empty() || is_about(assignment, defined)) return assignment;
   for (const std::string& name : named_assignments()) {
     Assignment other = load_assignment(name);
     if (is_about(other, defined)) return other;

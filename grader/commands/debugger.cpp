@@ -26,6 +26,11 @@ bool is_on_path(const std::string& program) {
   return false;
 }
 
+/// Whose functions are in no namespace.
+bool is_of_scotty3d(const std::string& function) {
+  return function.rfind("Halfedge_Mesh::", 0) == 0;
+}
+
 std::vector<std::string> debugger_command(const Build& build, const DebugSession& session) {
   std::vector<std::string> command{"gdb", "-q", build.worker.string()};
   const auto add = [&](const std::string& line) {
@@ -38,7 +43,7 @@ std::vector<std::string> debugger_command(const Build& build, const DebugSession
   add("source " + session.printers.string());
   if (!session.corners.empty()) add("python set_corners('" + session.corners + "')");
   for (const std::string& function : session.functions)
-    add("break meshedit::" + function);
+    add("break " + (is_of_scotty3d(function) ? "" : std::string("meshedit::")) + function);
   add("run");
   return command;
 }

@@ -1,6 +1,9 @@
 #include "grader/grade/dialect_fit.h"
 
+#include <algorithm>
+
 #include "grader/cases/bezier_skeleton.h"
+#include "grader/submission/scotty3d_files.h"
 
 namespace meshgrade {
 namespace {
@@ -8,6 +11,7 @@ namespace {
 std::string skeleton_of(Dialect dialect) {
   switch (dialect) {
     case Dialect::kMeshedit:
+    case Dialect::kScotty3d:
       return {};
     case Dialect::kCourse2017:
       return skeleton_choices().at(1);
@@ -27,9 +31,23 @@ void rename_step(ExerciseRubric& rubric) {
   }
 }
 
+/// Of numbers that were computed in float.
+constexpr double kFloatTolerance = 1e-4;
+
+Assignment fit_to_scotty3d(Assignment assignment) {
+  assignment.tolerance = std::max(assignment.tolerance, kFloatTolerance);
+  for (ExerciseRubric& rubric : assignment.exercises) {
+    rubric.other_names.clear();  // an assignment may be fitted twice
+    for (const Scotty3dFunction& function : scotty3d_functions())
+      rubric.other_names.emplace_back(function.our_name, function.their_name);
+  }
+  return assignment;
+}
+
 }  // namespace
 
 Assignment fit_to_dialect(Assignment assignment, Dialect dialect) {
+  if (dialect == Dialect::kScotty3d) return fit_to_scotty3d(std::move(assignment));
   const std::string skeleton = skeleton_of(dialect);
   if (skeleton.empty()) return assignment;
   for (ExerciseRubric& rubric : assignment.exercises) {

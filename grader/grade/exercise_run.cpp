@@ -9,6 +9,7 @@
 #include "grader/grade/compile_blame.h"
 #include "grader/grade/compile_warnings.h"
 #include "grader/grade/handle_references.h"
+#include "grader/grade/left_over_calls.h"
 #include "grader/grade/right_callees.h"
 #include "grader/grade/shrinking.h"
 #include "grader/grade/source_hints.h"
@@ -253,6 +254,7 @@ JudgedExercise judge_exercise(const Assignment& assignment, const Home& home,
   name_static_variable(candidate.submission, judge.functions, judged);
   note_right_answers(judged);
   note_handle_references(candidate.submission, judge.functions, judged);
+  note_left_over_calls(candidate.submission, judge.functions, judged);
   add_compiler_warnings(candidate.submission, candidate.build, judge, judged);
   if (conventions.size() == 1 && !has_failure(judged)) {
     judged.notes.push_back("found: " + *conventions.begin());

@@ -35,6 +35,8 @@ const char* signal_text(int signal) {
       return "it was aborted";
     case SIGILL:
       return "it ran into a place that is no code: does a function end without a return?";
+    case SIGTRAP:
+      return "it ran into a trap: an assertion of its own that does not hold?";
     case SIGKILL:
       return "it was killed";
     default:
@@ -68,6 +70,13 @@ FaultWords fault_words(FaultKind kind) {
               "the number of handle uses stays in proportion to the size of the mesh",
               "a loop that never comes back to where it began, or one that searches the whole "
               "mesh again and again"};
+    case FaultKind::kEndReference:
+      return {"end-reference", "a reference that leads to no element is compared, never used",
+              "pointers of new and of erased elements are end() until they are set, and a loop "
+              "over a list ends there"};
+    case FaultKind::kFailedAssertion:
+      return {"assertion", "what the code itself asserts holds",
+              "print what stands in the assertion before this line"};
     case FaultKind::kNotImplemented:
       break;
   }
@@ -76,7 +85,7 @@ FaultWords fault_words(FaultKind kind) {
 
 bool is_known(std::uint32_t kind) {
   return kind >= static_cast<std::uint32_t>(FaultKind::kUnsetHandle) &&
-         kind <= static_cast<std::uint32_t>(FaultKind::kNotImplemented);
+         kind <= static_cast<std::uint32_t>(FaultKind::kFailedAssertion);
 }
 
 void judge_stub(const ExerciseJudge& judge, const std::string& function,
@@ -91,16 +100,25 @@ void judge_stub(const ExerciseJudge& judge, const std::string& function,
   judgement.note = function + " is not implemented";
 }
 
-void judge_fault(const ExerciseJudge& judge, const Outcome& outcome, CaseJudgement& judgement) {
+/// What stands before the subject of a fault.
+std::string article(FaultKind kind) {
+  return kind == FaultKind::kFailedAssertion ? "the assertion " : "a ";
+}
+
+void judge_fault(const ExerciseJudge& judge, const JudgeTask& task, CaseJudgement& judgement) {
+  const Outcome& outcome = task.outcome;
   const auto kind =
       is_known(outcome.fault_kind) ? FaultKind{outcome.fault_kind} : FaultKind::kUnsetHandle;
-  if (kind == FaultKind::kNotImplemented) return judge_stub(judge, outcome.subject, judgement);
+  if (kind == FaultKind::kNotImplemented) {
+    return judge_stub(judge, task.rubric.by_other_names(outcome.subject), judgement);
+  }
   const bool endless = kind == FaultKind::kOutOfSteps;
   judgement.verdict = endless ? Verdict::kOutOfSteps : Verdict::kCrashed;
   const FaultWords words = fault_words(kind);
-  const std::string what = endless ? "the code used handles more often than any good solution: "
-                                     "it was stopped"
-                                   : "a " + outcome.subject + " " + meshedit::describe(kind);
+  const std::string what =
+      endless ? "the code used handles more often than any good solution: "
+                "it was stopped"
+              : article(kind) + outcome.subject + " " + meshedit::describe(kind);
   Finding finding =
       make_finding(words.rule, words.meaning, "", outcome.subject, "", what, words.advice);
   finding.stack = outcome.stack;
@@ -259,13 +277,27 @@ void require_all_steps(const Outcome& outcome, std::size_t asked) {
 namespace {
 
 /// Points for pointers take a judge that counts them.
-ExerciseJudge require_partial(ExerciseJudge judge, const ExerciseRubric& rubric) {
+/// Its functions by the names that the submission's skeleton has for them.
+ExerciseJudge fit_to_rubric(ExerciseJudge judge, const ExerciseRubric& rubric) {
   for (const Group& group : rubric.groups) {
     if (group.partial != Partial::kPointers || judge.counts_pointers) continue;
     throw UserError(group.place + ": " + rubric.name +
                     " sets no pointers: partial can be \"none\" or \"cases\" here");
   }
+  for (std::string& function : judge.functions)
+    function = rubric.by_other_names(std::move(function));
   return judge;
+}
+
+/// Functions are called what they are in the student's skeleton.
+void use_other_names(const ExerciseRubric& rubric, CaseJudgement& judgement) {
+  if (rubric.other_names.empty()) return;
+  judgement.note = rubric.by_other_names(std::move(judgement.note));
+  for (Finding& finding : judgement.findings) {
+    for (std::string* text :
+         {&finding.meaning, &finding.expected, &finding.actual, &finding.look_at})
+      *text = rubric.by_other_names(std::move(*text));
+  }
 }
 
 }  // namespace
@@ -278,16 +310,18 @@ ExerciseJudge find_exercise_judge(const ExerciseRubric& rubric) {
 #undef MESHGRADE_EXERCISE
   };
   if (const LocalOperation* operation = find_local_operation(rubric.name))
-    return require_partial(local_operation_judge(rubric, *operation), rubric);
+    return fit_to_rubric(local_operation_judge(rubric, *operation), rubric);
   const auto found = judges.find(rubric.name);
   if (found == judges.end()) {
     throw UserError(rubric.place + ": there is no exercise \"" + rubric.name + "\"");
   }
-  return require_partial(found->second(rubric), rubric);
+  return fit_to_rubric(found->second(rubric), rubric);
 }
 
-CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
-                         Conventions& conventions) {
+namespace {
+
+CaseJudgement judge_as_it_is(const ExerciseJudge& judge, const JudgeTask& task,
+                             Conventions& conventions) {
   CaseJudgement judgement;
   const Outcome& outcome = task.outcome;
   if (outcome.ending == Ending::kWorkerFailed) {
@@ -307,7 +341,7 @@ CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
   if (judgement.verdict == Verdict::kNotJudged) return judgement;
   const bool wrong_before = !judgement.findings.empty();
   if (outcome.ending == Ending::kFault) {
-    judge_fault(judge, outcome, judgement);
+    judge_fault(judge, task, judgement);
     if (!wrong_before) show_stop(judge, task, judgement);
   } else if (outcome.ending == Ending::kLibraryCheck) {
     judgement.verdict = Verdict::kCrashed;
@@ -317,6 +351,15 @@ CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
     judge_ending(outcome, judgement);
   }
   if (wrong_before) judgement.verdict = Verdict::kFailed;
+  return judgement;
+}
+
+}  // namespace
+
+CaseJudgement judge_case(const ExerciseJudge& judge, const JudgeTask& task,
+                         Conventions& conventions) {
+  CaseJudgement judgement = judge_as_it_is(judge, task, conventions);
+  use_other_names(task.rubric, judgement);
   return judgement;
 }
 

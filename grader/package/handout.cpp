@@ -16,10 +16,11 @@ std::vector<PackagePart> handout_parts(const std::filesystem::path& project) {
   const std::string container = "grader/package/hosts/container/";
   parts.push_back({container + "Containerfile", "Containerfile"});
   parts.push_back({container + "devcontainer.json", ".devcontainer/devcontainer.json"});
-  for (const char* page : {"student.md", "installing.md", "rules.md", "report.md",
-                           "report.schema.json", "formats.md", "dropin.md", "assignment.md",
-                           "exercises", "viewer.md", "loop_rules.md", "lopsided_cube.md",
-                           "polygon_meshes.md", "pictures", "writeup", "writeup_rubric.toml"}) {
+  for (const char* page :
+       {"student.md", "installing.md", "rules.md", "report.md", "report.schema.json",
+        "formats.md", "dropin.md", "assignment.md", "exercises", "viewer.md", "loop_rules.md",
+        "lopsided_cube.md", "polygon_meshes.md", "scotty3d.md", "pictures", "writeup",
+        "writeup_rubric.toml"}) {
     const std::string path = std::string("docs/") + page;
     parts.push_back({path, path});
   }

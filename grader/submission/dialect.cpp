@@ -8,6 +8,7 @@
 #include "grader/submission/code_only.h"
 #include "grader/submission/course_files.h"
 #include "grader/submission/header_definitions.h"
+#include "grader/submission/scotty3d_files.h"
 
 namespace meshgrade {
 namespace {
@@ -53,15 +54,16 @@ const char* describe(Dialect dialect) {
       return "2017 to 2019";
     case Dialect::kCourse2020:
     case Dialect::kMeshedit:
+    case Dialect::kScotty3d:
       break;
   }
   return "2020 or later";
 }
 
 /// Moves the course's own files from `files` to the end of `taken`.
-void take_course_files(Files& files, Files& taken) {
+void take_course_files(Files& files, Files& taken, bool (*is_of_course)(const SourceFile&)) {
   const auto first = std::stable_partition(
-      files.begin(), files.end(), [](const SourceFile& file) { return !is_course_file(file); });
+      files.begin(), files.end(), [&](const SourceFile& file) { return !is_of_course(file); });
   std::move(first, files.end(), std::back_inserter(taken));
   files.erase(first, files.end());
 }
@@ -106,22 +108,42 @@ Files files_of(const Submission& submission) {
   return files;
 }
 
+void take_all_course_files(Submission& submission, bool (*is_of_course)(const SourceFile&)) {
+  take_course_files(submission.sources, submission.course_sources, is_of_course);
+  take_course_files(submission.headers, submission.course_headers, is_of_course);
+}
+
+void note_course_files(Submission& submission) {
+  note_left_out(submission, submission.course_sources, "the course's own program");
+  note_left_out(submission, submission.course_headers,
+                "the grader has its own in place of the course's headers");
+}
+
+void settle_scotty3d(Submission& submission) {
+  submission.dialect = Dialect::kScotty3d;
+  take_all_course_files(submission, is_scotty3d_course_file);
+  submission.notes.emplace_back(
+      "recognised: homework for Carnegie Mellon's Scotty3D (Halfedge_Mesh), Fall 2022 or "
+      "later");
+  note_course_files(submission);
+}
+
 }  // namespace
 
 void settle_dialect(Submission& submission) {
   submission.dialect = Dialect::kMeshedit;
-  if (!is_course_homework(files_of(submission))) return;
-  take_course_files(submission.sources, submission.course_sources);
-  take_course_files(submission.headers, submission.course_headers);
+  if (!is_course_homework(files_of(submission))) {
+    if (is_scotty3d_homework(submission.sources)) settle_scotty3d(submission);
+    return;
+  }
+  take_all_course_files(submission, is_course_file);
   const Files moved = sources_from_headers(submission.course_headers, files_of(submission));
   submission.sources.insert(submission.sources.end(), moved.begin(), moved.end());
   submission.dialect = year_of(files_of(submission));
   submission.notes.push_back(
       std::string("recognised: homework for Berkeley's skeleton (namespace CGL), ") +
       describe(submission.dialect));
-  note_left_out(submission, submission.course_sources, "the course's own program");
-  note_left_out(submission, submission.course_headers,
-                "the grader has its own in place of the course's headers");
+  note_course_files(submission);
   for (const SourceFile& source : moved) {
     submission.notes.push_back("functions that are graded stand in " +
                                source.name.substr(0, source.name.rfind('.')) +

@@ -10,6 +10,7 @@
 #include "grader/base/text.h"
 #include "grader/submission/archive.h"
 #include "grader/submission/dialect.h"
+#include "grader/submission/scotty3d_files.h"
 #include "grader/submission/text_encoding.h"
 
 namespace meshgrade {
@@ -58,9 +59,19 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path, error));
 }
 
+/// Whether students of one of the courses hand in a file of this name.
+bool is_homework_name(const fs::path& file) {
+  return file.filename() == "student_code.cpp" ||
+         is_scotty3d_homework_name(file.filename().string());
+}
+
 bool holds_homework(const fs::path& folder) {
-  std::error_code error;
-  return fs::is_regular_file(fs::symlink_status(folder / "student_code.cpp", error));
+  const auto holds = [&](const char* name) {
+    std::error_code error;
+    return fs::is_regular_file(fs::symlink_status(folder / name, error));
+  };
+  return holds("student_code.cpp") || holds("halfedge-local.cpp") ||
+         holds("halfedge-global.cpp");
 }
 
 /// The folders in these folders, but for those that hold what is not the student's.
@@ -80,7 +91,7 @@ std::vector<fs::path> folders_in(const std::vector<fs::path>& folders) {
   return found;
 }
 
-/// The whole project of Berkeley's course has the homework in src/, and may lie in a folder
+/// The whole project of a course has the homework in src/ or below, and may lie in a folder
 /// beside others, such as that of the report.
 fs::path enter_course_project(const fs::path& folder) {
   constexpr int kMostDepth = 3;
@@ -230,7 +241,7 @@ void add_folder(const fs::path& path, const SubmissionRules& rules, int archives
   std::vector<fs::path> found;
   std::vector<fs::path> files = list(folder);
   std::stable_partition(files.begin(), files.end(), [](const fs::path& file) {
-    return file.stem() == "student_code";  // first, since the number of files is limited
+    return file.stem() == "student_code" || is_homework_name(file);  // the number is limited
   });
   for (const fs::path& file : files) {
     std::error_code error;
@@ -258,6 +269,11 @@ void add_path(const fs::path& path, const SubmissionRules& rules, int archives,
 }
 
 }  // namespace
+
+bool is_berkeleys(Dialect dialect) {
+  return dialect == Dialect::kCourse2016 || dialect == Dialect::kCourse2017 ||
+         dialect == Dialect::kCourse2020;
+}
 
 bool is_source_name(const fs::path& file) {
   return has_ending(file, {".cpp", ".cc", ".cxx"});

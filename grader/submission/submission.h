@@ -20,7 +20,11 @@ enum class Dialect {
   kCourse2016,  ///< Berkeley's of 2016, with Bezier functions of another form
   kCourse2017,  ///< Berkeley's of 2017 to 2019
   kCourse2020,  ///< Berkeley's since 2020
+  kScotty3d,    ///< Carnegie Mellon's Scotty3D since Fall 2022
 };
+
+/// Whether it is one of Berkeley's.
+bool is_berkeleys(Dialect dialect);
 
 /// What was handed in, as far as it is looked at: the sources to compile and the headers that
 /// may come along. A copy in memory, so that later changes on disk do not matter.
@@ -30,7 +34,7 @@ struct Submission {
   std::vector<SourceFile> sources;
   std::vector<SourceFile> headers;
   Dialect dialect = Dialect::kMeshedit;
-  std::vector<SourceFile> course_sources;  ///< Berkeley's own, handed in along; not compiled
+  std::vector<SourceFile> course_sources;  ///< a course's own, handed in along; not compiled
   std::vector<SourceFile> course_headers;  ///< likewise; the grader has its own instead
   std::vector<std::string> notes;          ///< what was recognised; what was left out, and why
 };
@@ -46,9 +50,9 @@ bool is_header_name(const std::filesystem::path& file);
 
 /// Collects the C++ files of a folder or an archive, or a single file. Folders below are not
 /// searched, but when the folder holds nothing than one other folder, that one is taken, and in
-/// a project for Berkeley's skeleton the folder that holds student_code.cpp. A single archive
-/// in a folder without C++ files is opened, and once more one within that. Links, devices and
-/// files that are too large are left out with a note.
+/// the project of a course the folder that holds the file which students hand in. A single
+/// archive in a folder without C++ files is opened, and once more one within that. Links,
+/// devices and files that are too large are left out with a note.
 /// @throws UserError if there is nothing to grade, or an archive cannot be opened
 Submission find_submission(const std::filesystem::path& path, const SubmissionRules& rules);
 

@@ -18,6 +18,9 @@ enum class FaultKind : std::uint32_t {
   kForeignHandle = 4,   ///< its element belongs to another mesh
   kOutOfSteps = 5,      ///< the step budget is used up: the walk does not end
   kNotImplemented = 6,  ///< a stub that nobody has filled in yet
+  // Only in homework for other skeletons:
+  kEndReference = 7,     ///< it is `end()`, which pointers of new elements are there as well
+  kFailedAssertion = 8,  ///< an assertion of the code's own does not hold
 };
 
 /// One misuse. `subject` says of what: "vertex handle", or the name of a function.
@@ -41,6 +44,10 @@ inline const char* describe(FaultKind kind) {
       return "walked too many steps: a loop over the mesh does not end";
     case FaultKind::kNotImplemented:
       return "is not implemented yet";
+    case FaultKind::kEndReference:
+      return "is end(): it leads to no element";
+    case FaultKind::kFailedAssertion:
+      return "does not hold";
   }
   return "is misused";
 }

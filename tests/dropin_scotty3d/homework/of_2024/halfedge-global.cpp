@@ -1,0 +1,128 @@
+#include "halfedge.h"
+#include <set>
+#include <queue>
+
+// fans from the first corner
+void Halfedge_Mesh::triangulate() {
+	for (FaceRef f = faces.begin(); f != faces.end(); f++) {
+		if (f->boundary) continue;
+		auto sides = f->sides();
+		HalfedgeRef top = sides[0];
+		for (size_t i = 2; i + 1 < sides.size(); i++) {
+			// cut off the triangle of top, sides[i - 1] and the new edge
+			EdgeRef e = emplace_edge();
+			HalfedgeRef in = emplace_halfedge(), out = emplace_halfedge();
+			FaceRef t = emplace_face();
+			in->vertex = sides[i]->vertex;
+			out->vertex = sides[0]->vertex;
+			pair_up(in, out, e);
+			HalfedgeRef a = top, b = sides[i - 1];
+			a->next = b; b->next = in; in->next = a;
+			for (auto k : {a, b, in}) k->face = t;
+			t->halfedge = a;
+			out->face = f;
+			out->next = sides[i];
+			sides.back()->next = out;
+			f->halfedge = out;
+			top = out;
+		}
+	}
+}
+
+void Halfedge_Mesh::linear_subdivide() {
+	std::unordered_map< VertexCRef, Vec3 > vertex_positions;
+	std::unordered_map< EdgeCRef, Vec3 > edge_vertex_positions;
+	std::unordered_map< FaceCRef, Vec3 > face_vertex_positions;
+	for (VertexCRef v = vertices.begin(); v != vertices.end(); v++) vertex_positions[v] = v->position;
+	for (EdgeCRef e = edges.begin(); e != edges.end(); e++) edge_vertex_positions[e] = e->center();
+	for (FaceCRef f = faces.begin(); f != faces.end(); f++) {
+		if (f->boundary) continue;
+		face_vertex_positions[f] = f->center();
+	}
+	catmark_subdivide_helper(vertex_positions, edge_vertex_positions, face_vertex_positions);
+}
+
+void Halfedge_Mesh::catmark_subdivide() {
+	std::unordered_map< VertexCRef, Vec3 > vp;
+	std::unordered_map< EdgeCRef, Vec3 > ep;
+	std::unordered_map< FaceCRef, Vec3 > fp;
+	for (FaceCRef f = faces.begin(); f != faces.end(); f++) if (!f->boundary) fp.emplace(f, f->center());
+	for (EdgeCRef e = edges.begin(); e != edges.end(); e++) {
+		if (e->on_boundary()) { ep[e] = e->center(); continue; }
+		ep[e] = (2.0f * e->center() + fp.at(e->halfedge->face) + fp.at(e->halfedge->twin->face)) / 4.0f;
+	}
+	for (VertexRef v = vertices.begin(); v != vertices.end(); v++) {
+		Vec3 q, r, rim;
+		float n = 0.0f;
+		bool open = false;
+		for (auto s : v->spokes()) {
+			n += 1.0f;
+			r += s->edge->center();
+			if (s->edge->on_boundary()) { open = true; rim += s->twin->vertex->position; }
+			if (!s->face->boundary) q += fp.at(s->face);
+		}
+		if (open) vp[v] = 0.75f * v->position + 0.125f * rim;
+		else vp[v] = (q / n + 2.0f * r / n + (n - 3.0f) * v->position) / n;
+	}
+	catmark_subdivide_helper(vp, ep, fp);
+}
+
+bool Halfedge_Mesh::loop_subdivide() {
+	for (FaceRef f = faces.begin(); f != faces.end(); f++)
+		if (!f->boundary && f->sides().size() != 3) return false;
+	std::unordered_map< VertexRef, Vec3 > old_to;
+	std::unordered_map< EdgeRef, Vec3 > mid;
+	for (VertexRef v = vertices.begin(); v != vertices.end(); v++) {
+		Vec3 sum, rim;
+		float n = 0;
+		bool open = false;
+		for (auto s : v->spokes()) {
+			n++;
+			sum += s->twin->vertex->position;
+			if (s->edge->on_boundary()) { open = true; rim += s->twin->vertex->position; }
+		}
+		float u = n == 3 ? 3.0f / 16.0f : 3.0f / (8.0f * n);
+		old_to[v] = open ? 0.75f * v->position + 0.125f * rim : (1.0f - n * u) * v->position + u * sum;
+	}
+	std::vector<EdgeRef> old;
+	for (EdgeRef e = edges.begin(); e != edges.end(); e++) {
+		old.push_back(e);
+		HalfedgeRef h = e->halfedge, t = h->twin;
+		if (e->on_boundary()) { mid[e] = e->center(); continue; }
+		mid[e] = 0.75f * e->center() + 0.125f * (h->next->next->vertex->position + t->next->next->vertex->position);
+	}
+	std::set<Index> young;                   // vertices
+	std::vector<EdgeRef> cuts;
+	for (auto e : old) {
+		VertexRef v = *split_edge(e);
+		v->position = mid[e];
+		young.insert(v->id);
+		// the two ways along the old edge lead to old vertices that it had
+		std::vector<EdgeRef> sides;
+		for (auto s : v->spokes()) sides.push_back(s->edge);
+		HalfedgeRef along = v->halfedge;     // one half of e
+		HalfedgeRef other = along;
+		size_t n = sides.size();
+		for (size_t i = 0; i < (n == 4 ? 2 : 0); i++) other = other->twin->next;
+		if (n == 3) {
+			// at the boundary the other half is the one that is on it as well
+			for (auto s : v->spokes()) if (s != along && s->edge->on_boundary()) other = s;
+		}
+		for (auto s : v->spokes()) if (s != along && s != other) cuts.push_back(s->edge);
+	}
+	for (auto c : cuts) {
+		bool a = young.count(c->halfedge->vertex->id), b = young.count(c->halfedge->twin->vertex->id);
+		if (a != b) flip_edge(c);
+	}
+	for (auto& [v, p] : old_to) v->position = p;
+	return true;
+}
+
+// provided
+void Halfedge_Mesh::catmark_subdivide_helper(
+	std::unordered_map< VertexCRef, Vec3 > const &vertex_positions,
+	std::unordered_map< EdgeCRef, Vec3 > const &edge_vertex_positions,
+	std::unordered_map< FaceCRef, Vec3 > const &face_vertex_positions) {
+	for (VertexRef v = vertices.begin(); v != vertices.end(); v++) v->position = vertex_positions.at(v);
+	(void)edge_vertex_positions; (void)face_vertex_positions;
+}

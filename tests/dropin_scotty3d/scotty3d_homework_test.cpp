@@ -1,0 +1,289 @@
+// Homework written for Scotty3D is graded as it was handed in. tests/dropin_scotty3d/homework
+// holds some, in the styles of different years and authors; the broken ones are made from them
+// by one edit.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <ostream>
+#include <string>
+
+#include "grader/commands/context.h"
+#include "grader/grade/grading.h"
+#include "grader/report/terminal_report.h"
+
+namespace meshgrade {
+namespace {
+
+using Verdicts = std::map<std::string, std::string>;
+
+Submission scotty3d_hand_in(const std::string& folder) {
+  const std::filesystem::path homework =
+      std::filesystem::path(MESHGRADE_SOURCE_DIR) / "tests" / "dropin_scotty3d" / "homework";
+  return find_submission(homework / folder, SubmissionRules());
+}
+
+Report grade_scotty3d(const Submission& submission,
+                      const std::vector<std::string>& exercises = {}) {
+  static const Home home = find_home();
+  static const Assignment assignment = load_assignment("polygon_meshes");
+  return grade(assignment, submission, home, exercises, [](const std::string&) {});
+}
+
+Verdicts scotty3d_verdicts(const Report& report) {
+  Verdicts all;
+  for (const ExerciseReport& exercise : report.exercises)
+    all[exercise.name] = verdict_name(exercise.verdict);
+  return all;
+}
+
+bool has_scotty3d_note(const Report& report, const std::string& part) {
+  return std::any_of(report.notes.begin(), report.notes.end(), [&](const std::string& note) {
+    return note.find(part) != std::string::npos;
+  });
+}
+
+void replace_in_file(Submission& submission, const std::string& part,
+                     const std::string& replacement) {
+  for (SourceFile& source : submission.sources) {
+    const std::size_t at = source.text.find(part);
+    if (at == std::string::npos) continue;
+    source.text.replace(at, part.size(), replacement);
+    return;
+  }
+  ADD_FAILURE() << "the homework does not hold " << part;
+}
+
+const Finding& first_scotty3d_finding(const ExerciseReport& report) {
+  static const Finding none;
+  for (const CaseReport& c : report.cases) {
+    if (!c.findings.empty()) return c.findings[0].finding;
+  }
+  return none;
+}
+
+/// A folder of homework, and which exercises it leaves as they are handed out.
+struct RightFolder {
+  const char* folder;
+  std::vector<std::string> unwritten;
+};
+
+std::ostream& operator<<(std::ostream& out, const RightFolder& folder) {
+  return out << folder.folder;
+}
+
+class RightScotty3dHomework : public testing::TestWithParam<RightFolder> {};
+
+TEST_P(RightScotty3dHomework, PassesInAllThatItHas) {
+  const Report report = grade_scotty3d(scotty3d_hand_in(GetParam().folder));
+  const std::vector<std::string>& unwritten = GetParam().unwritten;
+  for (const ExerciseReport& exercise : report.exercises) {
+    const bool is_written =
+        std::find(unwritten.begin(), unwritten.end(), exercise.name) == unwritten.end();
+    EXPECT_EQ(verdict_name(exercise.verdict),
+              std::string(is_written ? "passed" : "not implemented"))
+        << exercise.name << ": " << first_scotty3d_finding(exercise).actual;
+    EXPECT_EQ(exercise.points, is_written ? exercise.max_points : 0.0) << exercise.name;
+  }
+}
+
+const std::vector<std::string> kWithoutLaterOnes{
+    "face_collapse",     "vertex_bevel",    "edge_bevel",     "face_remove",
+    "edge_weld",         "bevel_positions", "triangulation",  "linear_subdivision",
+    "extrude_positions", "catmull_clark",   "loop_refinement"};
+
+INSTANTIATE_TEST_SUITE_P(Years, RightScotty3dHomework,
+                         testing::Values(RightFolder{"of_2022", kWithoutLaterOnes},
+                                         RightFolder{"of_2024", {}},
+                                         RightFolder{"of_2026", kWithoutLaterOnes}),
+                         [](const auto& tested) { return std::string(tested.param.folder); });
+
+TEST(Scotty3dHomework, AsHandedOutIsNotImplementedAndCompilesWhole) {
+  const Report report = grade_scotty3d(scotty3d_hand_in("untouched"));
+  EXPECT_EQ(report.points, 0.0);
+  for (const auto& [exercise, verdict] : scotty3d_verdicts(report))
+    EXPECT_EQ(verdict, "not implemented") << exercise;
+  EXPECT_TRUE(has_scotty3d_note(report, "recognised: homework for Carnegie Mellon's Scotty3D"));
+  for (const FileReport& file : report.files)
+    EXPECT_TRUE(file.compiled) << file.name << ": " << file.messages;
+  EXPECT_EQ(report.notes.size(), 1U);
+}
+
+TEST(Scotty3dHomework, IsToldInTheNamesOfItsCourse) {
+  const Report report = grade_scotty3d(scotty3d_hand_in("untouched"), {"edge_collapse"});
+  EXPECT_EQ(report.exercises.at(0).cases.at(0).note,
+            "Halfedge_Mesh::collapse_edge is not implemented");
+  EXPECT_EQ(to_terminal(report, TerminalStyle()).find("PolyMesh"), std::string::npos);
+}
+
+struct Scotty3dMistake {
+  const char* name;
+  const char* exercise;
+  const char* folder;
+  const char* was;
+  const char* becomes;
+  const char* rule;  ///< of the first finding
+};
+
+std::ostream& operator<<(std::ostream& out, const Scotty3dMistake& mistake) {
+  return out << mistake.exercise << ": " << mistake.name;
+}
+
+class WrongScotty3dHomework : public testing::TestWithParam<Scotty3dMistake> {};
+
+TEST_P(WrongScotty3dHomework, LosesPointsAndIsToldWhy) {
+  const Scotty3dMistake& mistake = GetParam();
+  Submission submission = scotty3d_hand_in(mistake.folder);
+  replace_in_file(submission, mistake.was, mistake.becomes);
+  const ExerciseReport report = grade_scotty3d(submission, {mistake.exercise}).exercises.at(0);
+  EXPECT_LT(report.points, report.max_points);
+  const Finding& finding = first_scotty3d_finding(report);
+  EXPECT_EQ(finding.rule, mistake.rule) << finding.actual << "; " << finding.look_at;
+  EXPECT_FALSE(finding.actual.empty());
+  EXPECT_FALSE(finding.look_at.empty());
+  EXPECT_EQ(finding.look_at.find("PolyMesh"), std::string::npos);
+}
+
+const Scotty3dMistake kScotty3dMistakes[] = {
+    {"BoundaryEdgeIsNotRefused", "edge_flip_polygon", "of_2026",
+     "if (e->on_boundary()) return std::nullopt;", "", "not-refused"},
+    {"ReturnsTheEdgeWhereItRefuses", "edge_flip_polygon", "of_2026",
+     "if (e->on_boundary()) return std::nullopt;", "if (e->on_boundary()) return e;",
+     "not-refused"},
+    {"RightForTrianglesOnly", "edge_flip_polygon", "of_2022",
+     "while (hl->next != h) hl = hl->next;", "hl = h2;", "twin-opposite"},
+    {"FaceKeepsAHalfedgeOfTheOtherSide", "edge_flip_polygon", "of_2022",
+     "    f->halfedge = h;\n    g->halfedge = t;\n    return e;", "    return e;", "anchor"},
+    {"EndOfTwoEdgesIsNotRefused", "edge_flip_polygon", "of_2026",
+     "if (has_corner(h, d) || has_corner(t, c)) return std::nullopt;", "", "not-refused"},
+    {"RefusesVerticesOfThreeEdges", "edge_flip_polygon", "of_2026",
+     "if (e->on_boundary()) return std::nullopt;",
+     "if (e->on_boundary() || e->halfedge->vertex->degree() <= 3) return std::nullopt;",
+     "refused"},
+    {"RefusesAfterTheFirstWrites", "edge_flip_polygon", "of_2022",
+     "    // a face must not come to a corner twice",
+     "    h->face = g;\n    // a face must not come to a corner twice", "refused-unchanged"},
+    {"TakesTheAnchorToBeInside", "edge_split_polygon", "of_2022",
+     "if (h->face->boundary) h = h->twin; // h is inside", "", "counts"},
+    {"JoinsAnotherCorner", "edge_split_polygon", "of_2024",
+     "link(s, s->next->next, emplace_face());", "link(s, s->prev(), emplace_face());",
+     "face-loop"},
+    {"ReturnedVertexAnchorsOnACut", "edge_split_polygon", "of_2024",
+     "link(s, s->next->next, emplace_face());",
+     "m->halfedge = link(s, s->next->next, emplace_face())->halfedge;", "along-edge"},
+    {"ReadsAnUnsetReference", "edge_split_polygon", "of_2022",
+     "    m->position = (a->position + b->position) * 0.5f;",
+     "    m->position = (a->position + b->position) * 0.5f;\n    FaceRef none;\n"
+     "    none->boundary = false;",
+     "unset-handle"},
+    {"ReadsThePointerOfANewElement", "edge_split_polygon", "of_2022",
+     "    m->position = (a->position + b->position) * 0.5f;",
+     "    m->position = (a->position + m->halfedge->twin->vertex->position) * 0.5f;",
+     "end-reference"},
+    {"FigureOfEight", "edge_collapse", "of_2026",
+     "if (a->on_boundary() && b->on_boundary() && !e->on_boundary()) return std::nullopt;", "",
+     "not-refused"},
+    {"LoneTriangle", "edge_collapse", "of_2026",
+     "if (side->face->boundary) return std::nullopt;\n"
+     "\t\tVertexRef tip = side->next->next->vertex;\n"
+     "\t\tif (tip->degree() < 3) return std::nullopt;",
+     "VertexRef tip = side->next->next->vertex;", "not-refused"},
+    {"RefusesAllOfTheBoundary", "edge_collapse", "of_2026",
+     "if (a->on_boundary() && b->on_boundary() && !e->on_boundary()) return std::nullopt;",
+     "if (a->on_boundary() || b->on_boundary()) return std::nullopt;", "refused"},
+    {"RenamesTheFirstTwoOnly", "edge_collapse", "of_2022",
+     "    for (auto k : of_b) k->vertex = a;",
+     "    for (size_t i = 0; i < 2; i++) of_b[i]->vertex = a;", "live-pointer"},
+    {"ApexKeepsAnErasedHalfedge", "edge_collapse", "of_2022",
+     "        pt->vertex->halfedge = pt;\n", "", "live-pointer"},
+    {"ReturnsTheErasedVertex", "edge_collapse", "of_2022",
+     "    erase_vertex(b);\n    return a;", "    erase_vertex(b);\n    return b;", "returned"},
+    {"ForgetsToErase", "edge_collapse", "of_2024", "\terase_vertex(a);\n\terase_edge(e);",
+     "\terase_edge(e);", "counts"},
+    {"NeighbourMeanOfErasedElements", "edge_collapse", "of_2022",
+     "    erase_vertex(b);\n    return a;",
+     "    erase_vertex(b);\n    a->position = (a->position + b->position) * 0.5f;\n"
+     "    return a;",
+     "finite"},
+    {"ScratchVertexForTheMean", "face_extrude", "of_2024", "\tFaceRef inner = emplace_face();",
+     "\tFaceRef inner = emplace_face();\n\templace_vertex()->position = f->center();",
+     "counts"},
+    {"QuadsOnly", "face_extrude", "of_2022", "int n = int(low.size());",
+     "int n = 4; low.resize(4, low[0]);", "counts"},
+    {"MovesTheCopyAtOnce", "face_extrude", "of_2026", "v->position = h->vertex->position;",
+     "v->position = lerp(h->vertex->position, "
+     "f->center(), 0.25f);",
+     "new-position"},
+    {"UnsignedMinusOne", "face_extrude", "of_2022", "l = (i - 1 + n) % n;",
+     "l = int((size_t(i) - 1) % size_t(n));", "next-single"},
+    {"FaceAnchorIsLeftUnset", "vertex_inset", "of_2022", "        fs[i]->halfedge = hs[i];\n",
+     "", "live-pointer"},
+    {"BevelsAVertexOfTwoEdges", "vertex_bevel", "of_2024",
+     "if (spokes.size() < 3) return std::nullopt;", "", "not-refused"},
+    {"TouchesTheBoundaryElsewhere", "edge_dissolve", "of_2022",
+     "if (f->boundary && k->vertex->on_boundary()) return std::nullopt;", "", "not-refused"},
+    {"CornerContactIsNotRefused", "face_remove", "of_2024",
+     "if (s->vertex->on_boundary() && !s->twin->outside() && !s->prev()->twin->outside()) "
+     "return std::nullopt;",
+     "", "not-refused"},
+    {"EndlessWalk", "edge_collapse", "of_2022", "while (l->next != s) l = l->next;",
+     "while (l->next != e->halfedge->twin->twin) l = l->next;", "out-of-steps"},
+    {"DriftsWithEachCall", "extrude_positions", "of_2024",
+     "outer.push_back(s->twin->next->twin->vertex->position);",
+     "outer.push_back(s->vertex->position);", "new-position"},
+    {"FansOfQuadsOnly", "triangulation", "of_2024", "i + 1 < sides.size()", "i < 3", "surface"},
+    {"EdgePointsWithoutFaces", "catmull_clark", "of_2024", "if (e->on_boundary()) {",
+     "if (true) {", "position"},
+    {"ThreeSixteenthsInWholeNumbers", "loop_refinement", "of_2024", "3.0f / 16.0f", "3 / 16",
+     "position"},
+    {"FailedAssertion", "vertex_inset", "of_2026",
+     "VertexRef m = emplace_vertex();\n\tm->position = f->center();",
+     "VertexRef m = emplace_vertex();\n\tassert(sides.size() == 4);\n\tm->position = "
+     "f->center();",
+     "assertion"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Mistakes, WrongScotty3dHomework, testing::ValuesIn(kScotty3dMistakes),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(Scotty3dHomework, ThatDoesNotCompileInOneFunctionIsGradedInTheOthers) {
+  Submission submission = scotty3d_hand_in("of_2026");
+  replace_in_file(submission, "EdgeRef e2 = emplace_edge(e->sharp);", "EdgeRef e2 = nonsense;");
+  const Report report =
+      grade_scotty3d(submission, {"edge_flip_polygon", "edge_split_polygon", "vertex_inset"});
+  EXPECT_EQ(report.exercises.at(0).verdict, Verdict::kPassed);
+  EXPECT_NE(report.exercises.at(1).verdict, Verdict::kPassed);
+  EXPECT_EQ(report.exercises.at(2).verdict, Verdict::kPassed);
+  EXPECT_TRUE(has_scotty3d_note(report, "Halfedge_Mesh::bisect_edge does not compile"));
+}
+
+TEST(Scotty3dHomework, MayDefineWhatTheGraderHasAsWell) {
+  Submission submission = scotty3d_hand_in("of_2026");
+  submission.sources.at(0).text +=
+      "\nVec3 Halfedge_Mesh::Edge::center() const {\n"
+      "  return 0.5f * (halfedge->vertex->position + halfedge->twin->vertex->position); }\n"
+      "Vec3 Halfedge_Mesh::Face::center() const { return Vec3(7.0f, 7.0f, 7.0f); }\n";
+  const Report report = grade_scotty3d(submission, {"edge_split_polygon", "vertex_inset"});
+  EXPECT_EQ(report.exercises.at(0).verdict, Verdict::kPassed);
+  EXPECT_EQ(first_scotty3d_finding(report.exercises.at(1)).rule, "new-position");
+}
+
+TEST(Scotty3dHomework, WithMembersOfItsOwnIsToldThatTheyWereTakenOver) {
+  const Report report = grade_scotty3d(scotty3d_hand_in("of_2024"), {"vertex_inset"});
+  EXPECT_TRUE(has_scotty3d_note(report, "halfedge.h holds members of your own"));
+  EXPECT_TRUE(has_scotty3d_note(report, "Vertex::mark"));
+}
+
+TEST(Scotty3dHomework, WhoseHeaderIsMissingIsNotJudgedWhereItIsNeeded) {
+  Submission submission = scotty3d_hand_in("of_2024");
+  submission.course_headers.clear();
+  const Report report = grade_scotty3d(submission, {"vertex_inset", "edge_collapse"});
+  // The data member is declared nowhere, the functions by their definitions.
+  EXPECT_EQ(report.exercises.at(0).verdict, Verdict::kNotJudged);
+  EXPECT_TRUE(has_scotty3d_note(report, "hand in the header that adds it"));
+}
+
+}  // namespace
+}  // namespace meshgrade
