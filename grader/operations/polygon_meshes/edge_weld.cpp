@@ -90,7 +90,8 @@ LocalOperation edge_weld_operation() {
       ElementKind::kEdge,
       edge_weld_answer,
       "of two edges one is left, and of each two ends that meet one vertex; a vertex that both "
-      "edges have stays"};
+      "edges have stays; one boundary loop may become two, two become one, and none is left of "
+      "two edges"};
   operation.picks_two = true;
   return operation;
 }

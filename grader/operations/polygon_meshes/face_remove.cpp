@@ -29,7 +29,7 @@ LocalOperation face_remove_operation() {
           ElementKind::kFace,
           face_remove_answer,
           "the face goes, and each side that lay on a boundary; so does a corner between two "
-          "of these"};
+          "of these; boundary loops may join, or fall apart"};
 }
 
 }  // namespace meshgrade
