@@ -8,8 +8,8 @@
 
 namespace meshedit {
 
-/// Where the vertices of the next level of a subdivision lie: one position for each vertex, edge
-/// and face of the surface. Boundary loops are no faces: they have none.
+/// Where the vertices of the next level of a subdivision lie: one position for each vertex,
+/// edge and face of the surface. Boundary loops are no faces: they have none.
 struct RefinedPositions {
   std::map<VertexIter, Vector3D> vertices;  ///< where each old vertex goes
   std::map<EdgeIter, Vector3D> edges;       ///< the new vertex of each edge
