@@ -58,7 +58,8 @@ std::optional<Finding> find_change(const MeshDump& before, const MeshDump& after
 }
 
 void mention_turned_anchors(std::uint32_t turns, CaseJudgement& judgement) {
-  if (turns == 0 || judgement.findings.empty()) return;
+  // Where the numbers tell the cause, anchors are not it.
+  if (turns == 0 || judgement.findings.empty() || !judgement.findings[0].likely.empty()) return;
   judgement.findings[0].look_at +=
       "; does your code rely on which half-edge halfedge() is? Here each is another than after "
       "build(), as operations leave them";

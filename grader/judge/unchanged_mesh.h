@@ -15,7 +15,8 @@ namespace meshgrade {
 std::optional<Finding> find_change(const MeshDump& before, const MeshDump& after,
                                    const std::string& where);
 
-/// Adds to what to look at that the mesh had other anchors than after build(), if it had.
+/// Adds to what to look at that the mesh had other anchors than after build(), if it had and no
+/// cause is named.
 void mention_turned_anchors(std::uint32_t turns, CaseJudgement& judgement);
 
 }  // namespace meshgrade

@@ -58,7 +58,8 @@ RefinedPositions PolyMesh::catmullClarkPositions() {
     } while (h != v->halfedge());
     const Vector3D Q = faces / n;
     const Vector3D R = middles / n;
-    refined.vertices[v] = boundary ? 0.75 * S + 0.125 * along : (Q + 2.0 * R + (n - 3.0) * S) / n;
+    refined.vertices[v] =
+        boundary ? 0.75 * S + 0.125 * along : (Q + 2.0 * R + (n - 3.0) * S) / n;
   }
   return refined;
   // SOLUTION END

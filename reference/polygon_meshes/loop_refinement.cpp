@@ -79,7 +79,7 @@ void cutIntoFour(PolyMesh& mesh, FaceIter f) {
     sides.push_back(h);
     h = h->next();
   } while (h != f->halfedge());
-  std::vector<HalfedgeIter> inner;  // [i] in the middle, across the corner where side 2 i starts
+  std::vector<HalfedgeIter> inner;  // [i] in the middle, across the corner of side 2 i
   std::vector<HalfedgeIter> outer;  // [i] its twin
   for (Size i = 0; i < 3; ++i) {
     inner.push_back(mesh.newHalfedge());
