@@ -38,6 +38,14 @@ Ring ring_of(const MeshDump& mesh, Ref face) {
   return ring;
 }
 
+const Misconception& drifting() {
+  static const Misconception drifting{
+      "begins-where-it-is",
+      "the corners are moved on from where the last call left them, and not placed from where "
+      "they began: with the mouse held still they would drift away"};
+  return drifting;
+}
+
 class PlacementJudge {
  public:
   PlacementJudge(const JudgeTask& task, const PlacementRules& rules,
@@ -76,11 +84,13 @@ class PlacementJudge {
     return mesh;
   }
 
-  PlacedCorner corner(std::size_t i, const MeshDump& begin) const {
+  /// @param begin  where the corners begin
+  /// @param around where the mean is taken of all of them
+  PlacedCorner corner(std::size_t i, const MeshDump& begin, const MeshDump& around) const {
     Point3 mean{};
     for (const Ref v : ring_.corners) {
       for (std::size_t k = 0; k < 3; ++k)
-        mean[k] += begin.vertices[v].position[k] / static_cast<double>(ring_.corners.size());
+        mean[k] += around.vertices[v].position[k] / static_cast<double>(ring_.corners.size());
     }
     return {begin.vertices[ring_.corners[i]].position, mean,
             start_.vertices[ring_.outer[i]].position};
@@ -88,10 +98,10 @@ class PlacementJudge {
 
   double allowed() const { return task_.tolerance * size_; }
 
-  bool fits(const PlacementFormula& formula, std::size_t step, const MeshDump& begin,
-            const MeshDump& after) const {
+  bool fits(PlacementFormula place, std::size_t step, const MeshDump& begin,
+            const MeshDump& around, const MeshDump& after) const {
     for (std::size_t i = 0; i < ring_.corners.size(); ++i) {
-      const Point3 expected = formula.place(corner(i, begin), input_.calls[step]);
+      const Point3 expected = place(corner(i, begin, around), input_.calls[step]);
       // Not at most: what is no number fits nothing.
       if (!(distance(expected, after.vertices[ring_.corners[i]].position) <= allowed()))
         return false;
@@ -100,34 +110,36 @@ class PlacementJudge {
   }
 
   void judge_places(std::size_t step, const MeshDump& before, const MeshDump& after) {
-    if (fits(rules_.right, step, start_, after)) return;
+    if (fits(rules_.right, step, start_, start_, after)) return;
     std::size_t i = 0;
     Point3 expected{};
     Point3 actual{};
     for (; i < ring_.corners.size(); ++i) {
-      expected = rules_.right.place(corner(i, start_), input_.calls[step]);
+      expected = rules_.right(corner(i, start_, start_), input_.calls[step]);
       actual = after.vertices[ring_.corners[i]].position;
       if (!(distance(expected, actual) <= allowed())) break;
     }
     const std::string name = vertex_name(ring_.corners[i]);
-    const std::string mistake = mistake_of(step, before, after);
-    judgement_.findings.push_back(make_finding(
+    Finding finding = make_finding(
         "new-position", "each corner lies where the call says, whatever was called before",
         where_, name, point_text(expected),
         point_text(actual) + ", off by " + number_text(distance(expected, actual)),
-        mistake.empty() ? name + ".position, as " + rules_.function + " sets it" : mistake));
+        name + ".position, as " + rules_.function + " sets it");
+    finding.likely = likely(step, before, after);
+    judgement_.findings.push_back(std::move(finding));
   }
 
-  /// What was done in place of the right thing; empty if that cannot be told.
-  std::string mistake_of(std::size_t step, const MeshDump& before,
-                         const MeshDump& after) const {
-    if (step > 0 && fits(rules_.right, step, before, after))
-      return "the corners are moved on from where the last call left them, and not placed from "
-             "where they began: with the mouse held still they would drift away";
-    for (const PlacementFormula& formula : rules_.mistakes) {
-      if (fits(formula, step, start_, after)) return formula.mistake;
+  /// What was done in place of the right thing; none if that cannot be told.
+  Misconceptions likely(std::size_t step, const MeshDump& before, const MeshDump& after) const {
+    const bool drifts = fits(rules_.right, step, before, before, after) ||
+                        fits(rules_.right, step, before, start_, after);
+    if (step > 0 && drifts) return {drifting()};
+    Misconceptions likely;
+    for (const PlacementMistake& mistake : rules_.mistakes) {
+      if (fits(mistake.place, step, start_, start_, after))
+        likely.push_back(mistake.misconception);
     }
-    return {};
+    return likely;
   }
 
   const JudgeTask& task_;
@@ -141,6 +153,13 @@ class PlacementJudge {
 };
 
 }  // namespace
+
+Misconceptions placement_misconceptions(const PlacementRules& rules) {
+  Misconceptions all{drifting()};
+  for (const PlacementMistake& mistake : rules.mistakes)
+    all.push_back(mistake.misconception);
+  return all;
+}
 
 void judge_placements(const JudgeTask& task, const PlacementRules& rules,
                       CaseJudgement& judgement) {

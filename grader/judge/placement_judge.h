@@ -5,6 +5,7 @@
 
 #include "grader/cases/placement_input.h"
 #include "grader/judge/judge.h"
+#include "grader/judge/misconception.h"
 
 namespace meshgrade {
 
@@ -15,17 +16,23 @@ struct PlacedCorner {
   Point3 outer;  ///< the vertex outside of the face that an edge joins it to
 };
 
-/// A formula for the place of a corner, and what it means if it fits a wrong answer.
-struct PlacementFormula {
-  Point3 (*place)(const PlacedCorner& corner, const Placement& asked);
-  std::string mistake = {};  ///< "the corners shrink towards the origin, and not ..."
+/// Where a corner lies.
+using PlacementFormula = Point3 (*)(const PlacedCorner& corner, const Placement& asked);
+
+/// A formula that is wrong, and what to say where the numbers are those that it gives.
+struct PlacementMistake {
+  PlacementFormula place;
+  Misconception misconception;
 };
 
 struct PlacementRules {
   std::string function;  ///< "PolyMesh::placeExtruded"
   PlacementFormula right;
-  std::vector<PlacementFormula> mistakes;  ///< those that are made most often first
+  std::vector<PlacementMistake> mistakes;
 };
+
+/// All that judge_placements() can name with these rules.
+Misconceptions placement_misconceptions(const PlacementRules& rules);
 
 /// Judges the places after each call, and that nothing else has changed.
 void judge_placements(const JudgeTask& task, const PlacementRules& rules,

@@ -91,6 +91,8 @@ const Change kWrongOnTheWhole[] = {
      "RefinedPositions refined; static int calls = 0; ++calls;\n"
      "  if (calls % 3 == 0) refined.vertices[VertexIter()] = Vector3D();",
      "foreign-position"},
+    {"TrustsTheAnchorOnABoundary", "catmull_clark", "const bool boundary = v->isBoundary();",
+     "const bool boundary = v->halfedge()->isBoundary();", "position"},
     {"RefusesTriangles", "loop_refinement", "return true;", "return false;", "refused"},
     {"RefusesNothing", "loop_refinement", "if (f->degree() != 3) return false;", "",
      "not-refused"},
@@ -100,7 +102,7 @@ const Change kWrongOnTheWhole[] = {
      "if (f->degree() != 3) { newVertex(); return false; }", "refused-unchanged"},
     {"LeavesAnEdgeWithoutAnchor", "loop_refinement", "behind->halfedge() = mb;", "",
      "live-pointer"},
-    {"CutsNoFaces", "loop_refinement", "cutIntoFour(*this, f);", ";", "counts"},
+    {"CutsNoFaces", "loop_refinement", "cutIntoFour(*this, f);", ";", "face-loop"},
     {"TakesOtherWeights", "loop_refinement", "0.375 * ends + 0.125 *", "0.25 * ends + 0.25 *",
      "position"},
 };
@@ -249,6 +251,19 @@ TEST(WrongFacePoints, AreToldOnceAndNotAgainForEdgesAndVertices) {
     ASSERT_EQ(c.findings.size(), 1U) << c.title;
     EXPECT_EQ(c.findings[0].finding.element[0], 'f');
   }
+}
+
+TEST(ARefusal, IsNotToldWhereTheLevelBeforeItIsWrong) {
+  const ExerciseReport report = grade_one(
+      "loop_refinement", altered(path_of("loop_refinement"), "cutIntoFour(*this, f);", ";"));
+  std::size_t wrong = 0;
+  for (const CaseReport& c : report.cases) {
+    for (const auto& told : c.findings) {
+      ++wrong;
+      EXPECT_NE(told.finding.rule, "refused") << c.title;
+    }
+  }
+  EXPECT_GT(wrong, 0U);
 }
 
 class RightOnTheWhole : public testing::TestWithParam<Change> {};

@@ -12,6 +12,7 @@
 #include "grader/cases/case.h"
 #include "grader/cases/local_operation_input.h"
 #include "grader/cases/mesh_input.h"
+#include "grader/cases/placement_cases.h"
 #include "grader/cases/whole_mesh_input.h"
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/operation_model.h"
@@ -309,6 +310,32 @@ inline std::vector<std::string> right_loop_refinements(const WholeMeshInput& inp
   return steps;
 }
 
+inline std::vector<std::string> right_placements(const PlacementInput& input, bool bevel) {
+  std::vector<std::string> steps;
+  const std::vector<RingCorner> ring = ring_of(input.mesh, input.face);
+  const std::vector<std::uint32_t>& corners = input.mesh.polygons[input.face];
+  Point3 mean{};
+  for (const RingCorner& corner : ring) {
+    for (std::size_t k = 0; k < 3; ++k)
+      mean[k] += corner.outer[k] / static_cast<double>(ring.size());
+  }
+  for (const Placement& call : input.calls) {
+    MeshDump mesh = built_mesh(input.mesh, input.anchor_turns);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto& [at, outer] = ring[i];
+      Point3 way{outer[0] - at[0], outer[1] - at[1], outer[2] - at[2]};
+      const double along =
+          way[0] * call.vector[0] + way[1] * call.vector[1] + way[2] * call.vector[2];
+      for (std::size_t k = 0; k < 3; ++k)
+        mesh.vertices[corners[i]].position[k] =
+            bevel ? at[k] + call.amount / along * way[k]
+                  : outer[k] + call.amount * (mean[k] - outer[k]) + call.vector[k];
+    }
+    steps.push_back(to_wire(mesh));
+  }
+  return steps;
+}
+
 inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarren,
                              CornerRule corner = CornerRule::kSmooth) {
   Outcome outcome;
@@ -323,6 +350,9 @@ inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarre
     outcome.steps = right_operations(from_wire<OperationsInput>(c.input));
   if (const LocalOperation* operation = find_local_operation(c.exercise))
     outcome.steps = right_local_operations(from_wire<LocalOperationInput>(c.input), *operation);
+  if (c.exercise == "extrude_positions" || c.exercise == "bevel_positions")
+    outcome.steps =
+        right_placements(from_wire<PlacementInput>(c.input), c.exercise == "bevel_positions");
   if (c.exercise == "triangulation")
     outcome.steps = right_triangulations(from_wire<WholeMeshInput>(c.input));
   if (c.exercise == "linear_subdivision")

@@ -64,15 +64,20 @@ Point3 bevelled_turned_round(const PlacedCorner& corner, const Placement& asked)
 const PlacementRules& bevelled_rules() {
   static const PlacementRules rules{
       "PolyMesh::placeBevelled",
-      {bevelled_place},
+      bevelled_place,
       {{by_the_distance,
-        "each corner goes the distance along its edge, and not so far that it has gone the "
-        "distance in the direction: divide by the dot product of the two"},
+        {"distance-along-edge",
+         "each corner goes the distance along its edge, and not so far that it has gone the "
+         "distance in the direction: divide by the dot product of the two"}},
        {by_the_projection,
-        "the distance is multiplied by the dot product of edge and direction: divide by it"},
-       {in_the_direction, "the corners leave their edges and go in the direction itself"},
-       {by_the_length, "the edge is not brought to length 1 before it is multiplied"},
-       {bevelled_turned_round, "the corners go the other way: the sign is turned round"}}};
+        {"times-dot-product",
+         "the distance is multiplied by the dot product of edge and direction: divide by it"}},
+       {in_the_direction,
+        {"off-the-edge", "the corners leave their edges and go in the direction itself"}},
+       {by_the_length,
+        {"edge-not-unit", "the edge is not brought to length 1 before it is multiplied"}},
+       {bevelled_turned_round,
+        {"sign-turned", "the corners go the other way: the sign is turned round"}}}};
   return rules;
 }
 
@@ -82,6 +87,7 @@ ExerciseJudge bevel_positions_judge(const ExerciseRubric& rubric) {
   refuse_unknown_options(rubric, {});
   ExerciseJudge judge;
   judge.functions = {bevelled_rules().function};
+  judge.misconceptions = placement_misconceptions(bevelled_rules());
   judge.judge_steps = [](const JudgeTask& task, Conventions& /*conventions*/,
                          CaseJudgement& judgement) {
     judge_placements(task, bevelled_rules(), judgement);

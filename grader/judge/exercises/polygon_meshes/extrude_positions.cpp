@@ -43,15 +43,19 @@ Point3 with_smaller_move(const PlacedCorner& corner, const Placement& asked) {
 const PlacementRules& extruded_rules() {
   static const PlacementRules rules{
       "PolyMesh::placeExtruded",
-      {extruded_place},
+      extruded_place,
       {{towards_the_origin,
-        "the corners shrink towards the origin, and not towards the mean of the outer "
-        "corners"},
-       {with_smaller_move, "the move is made smaller by shrink: it is added last, as a whole"},
-       {as_a_factor, "shrink is taken for what is left of the size: 0 is full size, 1 a point"},
+        {"towards-origin",
+         "the corners shrink towards the origin, and not towards the mean of the outer "
+         "corners"}},
+       {with_smaller_move,
+        {"move-shrinks", "the move is made smaller by shrink: it is added last, as a whole"}},
+       {as_a_factor,
+        {"shrink-as-factor",
+         "shrink is taken for what is left of the size: 0 is full size, 1 a point"}},
        {extruded_turned_round,
-        "a positive shrink makes the face larger: the sign is turned round"},
-       {without_move, "the move is left out"}}};
+        {"sign-turned", "a positive shrink makes the face larger: the sign is turned round"}},
+       {without_move, {"move-left-out", "the move is left out"}}}};
   return rules;
 }
 
@@ -61,6 +65,7 @@ ExerciseJudge extrude_positions_judge(const ExerciseRubric& rubric) {
   refuse_unknown_options(rubric, {});
   ExerciseJudge judge;
   judge.functions = {extruded_rules().function};
+  judge.misconceptions = placement_misconceptions(extruded_rules());
   judge.judge_steps = [](const JudgeTask& task, Conventions& /*conventions*/,
                          CaseJudgement& judgement) {
     judge_placements(task, extruded_rules(), judgement);

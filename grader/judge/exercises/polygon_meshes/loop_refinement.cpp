@@ -51,40 +51,51 @@ void judge_refusal(const WholeMeshInput& input, const OddFace& odd, const Refusa
   }
 }
 
+/// Judges the levels that were done, as in the first assignment.
+void judge_done(const JudgeTask& task, const WholeMeshInput& input, const Outcome& done,
+                Conventions& conventions, CaseJudgement& judgement) {
+  const Anchoring anchoring =
+      input.anchor_turns == 0 ? Anchoring::kAsBuilt : Anchoring::kElsewhere;
+  Case asked = task.asked;
+  asked.input = to_wire(SubdivisionInput{input.mesh_name, input.mesh, input.times, anchoring});
+  const JudgeTask levels{asked, done, task.rubric, task.tolerance, task.explain, task.measure};
+  loop_subdivision_judge(task.rubric).judge_steps(levels, conventions, judgement);
+}
+
+void judge_levels_of_triangles(const JudgeTask& task, const WholeMeshInput& input,
+                               Conventions& conventions, CaseJudgement& judgement) {
+  Outcome done = task.outcome;
+  done.steps.clear();
+  bool refused = false;
+  for (const std::string& bytes : task.outcome.steps) {
+    const auto step = from_wire<RefusableStep>(bytes);
+    refused = step.done == 0;
+    if (refused) break;
+    done.steps.push_back(to_wire(step.after));
+  }
+  if (refused) done.ending = Ending::kExit;  // that steps are missing is told below
+  judge_done(task, input, done, conventions, judgement);
+  // What went wrong before may be why it was refused.
+  if (!refused || !judgement.findings.empty()) return;
+  judgement.verdict = Verdict::kFailed;
+  judgement.findings.push_back(make_finding(
+      "refused", "only a mesh with a face that is no triangle is refused",
+      input.times == 1 ? "" : "at level " + std::to_string(done.steps.size() + 1), "the mesh",
+      "all faces are triangles: subdivide it, and return true", "false was returned",
+      "the test at the start. Boundary loops are no faces, and may have any number of "
+      "corners"));
+}
+
 void judge_loop_refinements(const JudgeTask& task, Conventions& conventions,
                             CaseJudgement& judgement) {
   const auto input = from_wire<WholeMeshInput>(task.asked.input);
   if (task.outcome.steps.size() > input.times) throw WireError("too many steps");
   const OddFace odd = find_odd_face(input.mesh);
-  Outcome outcome = task.outcome;
-  for (std::string& bytes : outcome.steps) {
-    const auto step = from_wire<RefusableStep>(bytes);
-    if (odd.corners != 3) {
-      judge_refusal(input, odd, step, judgement);
-    } else if (step.done == 0) {
-      judgement.findings.push_back(make_finding(
-          "refused", "only a mesh with a face that is no triangle is refused", "", "the mesh",
-          "all faces are triangles: subdivide it, and return true", "false was returned",
-          "the test at the start. Boundary loops are no faces, and may have any number of "
-          "corners"));
-    }
-    if (!judgement.findings.empty()) break;
-    bytes = to_wire(step.after);
-  }
-  if (!judgement.findings.empty()) {
-    judgement.verdict = Verdict::kFailed;
-  } else if (odd.corners != 3) {
-    require_all_steps(task.outcome, input.times);
-  } else {
-    const Anchoring anchoring =
-        input.anchor_turns == 0 ? Anchoring::kAsBuilt : Anchoring::kElsewhere;
-    Case asked = task.asked;
-    asked.input =
-        to_wire(SubdivisionInput{input.mesh_name, input.mesh, input.times, anchoring});
-    const JudgeTask levels{asked,          outcome,      task.rubric,
-                           task.tolerance, task.explain, task.measure};
-    loop_subdivision_judge(task.rubric).judge_steps(levels, conventions, judgement);
-  }
+  if (odd.corners == 3) return judge_levels_of_triangles(task, input, conventions, judgement);
+  require_all_steps(task.outcome, input.times);
+  for (const std::string& bytes : task.outcome.steps)
+    judge_refusal(input, odd, from_wire<RefusableStep>(bytes), judgement);
+  if (!judgement.findings.empty()) judgement.verdict = Verdict::kFailed;
 }
 
 }  // namespace
