@@ -1,6 +1,8 @@
 #include "grader/build/scotty3d_classes.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 #include "grader/submission/code_only.h"
 #include "grader/submission/function_extents.h"
@@ -13,6 +15,23 @@ using Words = std::set<std::string>;
 
 constexpr const char* kMeshPrefix = "Halfedge_Mesh::";
 
+Words words_in(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// Of include/dropin_scotty3d/geometry/halfedge.h, without the graded functions.
+const Words& our_mesh_members() {
+  static const Words members = words_in(
+      "Vertex Edge Face Halfedge Index VertexRef VertexCRef EdgeRef EdgeCRef FaceRef FaceCRef "
+      "HalfedgeRef HalfedgeCRef ElementRef ElementCRef Bone_Weight vertices edges faces "
+      "halfedges copy swap emplace_vertex emplace_edge emplace_face emplace_halfedge "
+      "erase_vertex erase_edge erase_face erase_halfedge interpolate_data "
+      "Isotropic_Remesh_Parameters n_boundaries radius id_of center_of normal_of describe "
+      "validate from_indexed_faces cube catmark_subdivide_helper");
+  return members;
+}
+
 const std::map<std::string, Words>& our_members() {
   static const std::map<std::string, Words> members{
       {"Vertex",
@@ -23,49 +42,7 @@ const std::map<std::string, Words>& our_members() {
       {"Halfedge",
        {"twin", "next", "vertex", "edge", "face", "id", "corner_uv", "corner_normal",
         "set_tnvef"}},
-      {"Halfedge_Mesh",
-       {"Vertex",
-        "Edge",
-        "Face",
-        "Halfedge",
-        "Index",
-        "VertexRef",
-        "VertexCRef",
-        "EdgeRef",
-        "EdgeCRef",
-        "FaceRef",
-        "FaceCRef",
-        "HalfedgeRef",
-        "HalfedgeCRef",
-        "ElementRef",
-        "ElementCRef",
-        "Bone_Weight",
-        "vertices",
-        "edges",
-        "faces",
-        "halfedges",
-        "copy",
-        "swap",
-        "emplace_vertex",
-        "emplace_edge",
-        "emplace_face",
-        "emplace_halfedge",
-        "erase_vertex",
-        "erase_edge",
-        "erase_face",
-        "erase_halfedge",
-        "interpolate_data",
-        "Isotropic_Remesh_Parameters",
-        "n_boundaries",
-        "radius",
-        "id_of",
-        "center_of",
-        "normal_of",
-        "describe",
-        "validate",
-        "from_indexed_faces",
-        "cube",
-        "catmark_subdivide_helper"}}};
+      {"Halfedge_Mesh", our_mesh_members()}};
   return members;
 }
 

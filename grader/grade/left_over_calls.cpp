@@ -27,9 +27,10 @@ void note_calls_in(const SourceFile& file, const std::vector<std::string>& funct
         code_only(file.text).substr(function.body, function.end - function.body);
     for (const auto& [at, size] : call.places_in(body)) {
       const std::string name = body.substr(at, body.find_first_of(" (", at) - at);
-      exercise.notes.push_back(
-          file.name + ", line " + std::to_string(line_number_at(file.text, function.body + at)) +
-          ": " + name + "() looks at the whole mesh; take it out before you hand in");
+      exercise.notes.push_back(file.name + ", line " +
+                               std::to_string(line_number_at(file.text, function.body + at)) +
+                               ": " + name +
+                               "() looks at the whole mesh; take it out before you hand in");
     }
   }
 }

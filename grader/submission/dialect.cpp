@@ -133,7 +133,14 @@ void settle_scotty3d(Submission& submission) {
 void settle_dialect(Submission& submission) {
   submission.dialect = Dialect::kMeshedit;
   if (!is_course_homework(files_of(submission))) {
-    if (is_scotty3d_homework(submission.sources)) settle_scotty3d(submission);
+    if (is_scotty3d_homework(submission.sources)) {
+      settle_scotty3d(submission);
+    } else if (is_earlier_scotty3d_homework(submission.sources)) {
+      submission.notes.emplace_back(
+          "this is homework for Carnegie Mellon's Scotty3D of 2020 to Spring 2022, whose mesh "
+          "is "
+          "another one: it is not graded here, only that of Fall 2022 and later is");
+    }
     return;
   }
   take_all_course_files(submission, is_course_file);

@@ -66,6 +66,13 @@ bool is_scotty3d_homework(const std::vector<SourceFile>& files) {
   });
 }
 
+bool is_earlier_scotty3d_homework(const std::vector<SourceFile>& files) {
+  return std::any_of(files.begin(), files.end(), [](const SourceFile& file) {
+    return is_source_name(file.name) && defines_scotty3d_function(file) &&
+           has_pointers_as_functions(file);
+  });
+}
+
 bool is_scotty3d_course_file(const SourceFile& file) {
   static const std::set<std::string> stems{"halfedge", "halfedge-utility",
                                            "indexed",  "spline",

@@ -30,6 +30,10 @@ bool is_scotty3d_homework_name(const std::string& name);
 /// functions.
 bool is_scotty3d_homework(const std::vector<SourceFile>& files);
 
+/// Whether they are homework for Scotty3D of Fall 2020 to Spring 2022, which is not graded: the
+/// pointers of elements are functions there.
+bool is_earlier_scotty3d_homework(const std::vector<SourceFile>& files);
+
 /// Whether a file of such a homework is the course's own, handed in along with the student's:
 /// it has the name of a file of the course's folder src/geometry and defines no graded
 /// function.

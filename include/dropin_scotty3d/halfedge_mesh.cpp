@@ -15,7 +15,6 @@ using meshedit::detail::StepPause;
 using meshedit::detail::scotty3d::ElementList;
 using meshedit::detail::scotty3d::Link;
 using meshedit::detail::scotty3d::LinkState;
-using meshedit::detail::scotty3d::Node;
 using meshedit::detail::scotty3d::Reference;
 
 namespace {
@@ -430,8 +429,8 @@ class Validator {
       const std::string trouble = trouble_of(h);
       if (!trouble.empty()) return {{h, trouble}};
     }
-    if (const Broken broken = find_lost(mesh_.vertices)) return broken;
-    if (const Broken broken = find_lost(mesh_.edges)) return broken;
+    if (Broken broken = find_lost(mesh_.vertices)) return broken;
+    if (Broken broken = find_lost(mesh_.edges)) return broken;
     return find_lost(mesh_.faces);
   }
 

@@ -38,7 +38,6 @@ void write_position(const Vec3& from, Vector3D& to) {
 
 MeshBridge::MeshBridge(HalfedgeMesh& ours, Halfedge_Mesh& theirs)
     : mesh_(ours),
-      theirs_(theirs),
       vertices_(theirs.vertices),
       edges_(theirs.edges),
       faces_(theirs.faces),

@@ -217,7 +217,7 @@ const Scotty3dMistake kScotty3dMistakes[] = {
      "f->center(), 0.25f);",
      "new-position"},
     {"UnsignedMinusOne", "face_extrude", "of_2022", "l = (i - 1 + n) % n;",
-     "l = int((size_t(i) - 1) % size_t(n));", "next-single"},
+     "l = int((size_t(i) - 1) % size_t(n));", "twin-opposite"},
     {"FaceAnchorIsLeftUnset", "vertex_inset", "of_2022", "        fs[i]->halfedge = hs[i];\n",
      "", "live-pointer"},
     {"BevelsAVertexOfTwoEdges", "vertex_bevel", "of_2024",
@@ -233,7 +233,10 @@ const Scotty3dMistake kScotty3dMistakes[] = {
     {"DriftsWithEachCall", "extrude_positions", "of_2024",
      "outer.push_back(s->twin->next->twin->vertex->position);",
      "outer.push_back(s->vertex->position);", "new-position"},
-    {"FansOfQuadsOnly", "triangulation", "of_2024", "i + 1 < sides.size()", "i < 3", "surface"},
+    {"RightUpToQuads", "triangulation", "of_2024", "i + 1 < sides.size()",
+     "i + 1 < sides.size() && i < 3", "triangles"},
+    {"CutsTrianglesForEver", "triangulation", "of_2024", "i + 1 < sides.size()", "i < 3",
+     "out-of-steps"},
     {"EdgePointsWithoutFaces", "catmull_clark", "of_2024", "if (e->on_boundary()) {",
      "if (true) {", "position"},
     {"ThreeSixteenthsInWholeNumbers", "loop_refinement", "of_2024", "3.0f / 16.0f", "3 / 16",
@@ -268,6 +271,20 @@ TEST(Scotty3dHomework, MayDefineWhatTheGraderHasAsWell) {
   const Report report = grade_scotty3d(submission, {"edge_split_polygon", "vertex_inset"});
   EXPECT_EQ(report.exercises.at(0).verdict, Verdict::kPassed);
   EXPECT_EQ(first_scotty3d_finding(report.exercises.at(1)).rule, "new-position");
+}
+
+TEST(Scotty3dHomework, IsToldWhatWasLeftOver) {
+  Submission submission = scotty3d_hand_in("of_2022");
+  replace_in_file(submission, "    (void)e;\n",
+                  "    if (validate()) return {};\n"
+                  "    std::cout << \"flipping \" << e->id << std::endl;\n");
+  const ExerciseReport report =
+      grade_scotty3d(submission, {"edge_flip_polygon"}).exercises.at(0);
+  EXPECT_EQ(report.points, report.max_points);
+  ASSERT_EQ(report.notes.size(), 2U);
+  EXPECT_NE(report.notes[0].find("validate() looks at the whole mesh"), std::string::npos);
+  EXPECT_NE(report.notes[1].find("it prints while it works, for example \"flipping "),
+            std::string::npos);
 }
 
 TEST(Scotty3dHomework, WithMembersOfItsOwnIsToldThatTheyWereTakenOver) {

@@ -120,6 +120,17 @@ TEST(Scotty3dDialect, IsKnownByNameOrByItsFunctions) {
             Dialect::kMeshedit);
 }
 
+TEST(Scotty3dDialect, OfEarlierYearsIsToldThatItIsNotGraded) {
+  Submission submission;
+  submission.sources = {{"meshedit.cpp",
+                         "std::optional<Halfedge_Mesh::EdgeRef> Halfedge_Mesh::flip_edge("
+                         "Halfedge_Mesh::EdgeRef e) { e->halfedge() = e->halfedge()->twin(); "
+                         "return e; }"}};
+  settle_dialect(submission);
+  ASSERT_EQ(submission.notes.size(), 1U);
+  EXPECT_NE(submission.notes[0].find("2020 to Spring 2022"), std::string::npos);
+}
+
 TEST(Scotty3dDialect, OfEarlierYearsIsAnotherOne) {
   EXPECT_NE(
       dialect_of("meshedit.cpp",

@@ -149,7 +149,6 @@ class MeshBridge {
   void write_pointers();
 
   HalfedgeMesh& mesh_;
-  Halfedge_Mesh& theirs_;
   Pairing<Vertex, Halfedge_Mesh::Vertex> vertices_;
   Pairing<Edge, Halfedge_Mesh::Edge> edges_;
   Pairing<Face, Halfedge_Mesh::Face> faces_;
