@@ -342,3 +342,41 @@ std::optional<Halfedge_Mesh::FaceRef> Halfedge_Mesh::extrude_face(FaceRef f) {
 	chain(inner, f);
 	return f;
 }
+
+std::optional<Halfedge_Mesh::FaceRef> Halfedge_Mesh::bevel_vertex(VertexRef v) {
+	std::vector<HalfedgeRef> spokes = out_of(v);
+	if (spokes.size() < 3) return std::nullopt;
+	FaceRef f = emplace_face();
+	std::vector<HalfedgeRef> inner;
+	// v itself stays, as the corner of the first spoke
+	for (size_t i = 1; i < spokes.size(); ++i) {
+		VertexRef u = emplace_vertex();
+		u->position = v->position;
+		spokes[i]->vertex = u;
+		u->halfedge = spokes[i];
+	}
+	v->halfedge = spokes[0];
+	for (size_t i = 0; i < spokes.size(); ++i) {
+		HalfedgeRef to = spokes[(i + 1) % spokes.size()];
+		EdgeRef e = emplace_edge();
+		HalfedgeRef out = emplace_halfedge(), in = emplace_halfedge();
+		out->set_tnvef(in, to, spokes[i]->vertex, e, to->face);
+		in->set_tnvef(out, in, to->vertex, e, f);
+		e->halfedge = in;
+		spokes[i]->twin->next = out;
+		inner.insert(inner.begin(), in);
+	}
+	chain(inner, f);
+	return f;
+}
+
+void Halfedge_Mesh::extrude_positions(FaceRef face, Vec3 move, float shrink) {
+	std::vector<HalfedgeRef> ring = loop_of(face->halfedge);
+	std::vector<Vec3> base;
+	for (HalfedgeRef h : ring) base.push_back(before(h->twin)->vertex->position);
+	// before(h->twin) starts at the outer corner of where h ends: turn by one
+	std::rotate(base.begin(), base.end() - 1, base.end());
+	Vec3 center = std::accumulate(base.begin(), base.end(), Vec3{}) / float(base.size());
+	for (size_t i = 0; i < ring.size(); ++i)
+		ring[i]->vertex->position = (1.0f - shrink) * base[i] + shrink * center + move;
+}
