@@ -108,9 +108,10 @@ class OperationCases {
 
   /// The same with other anchors, in a process in which nothing was called before: a function
   /// may be wrong at its third call only.
-  void add_fresh_sequence(const std::string& name, const PolygonMesh& mesh, Random& random) {
+  void add_fresh_sequence(const std::string& name, const PolygonMesh& mesh, Random& random,
+                          std::uint32_t anchor_turns = 1) {
     LocalOperationInput input = drawn(name, mesh, random);
-    input.anchor_turns = 1;
+    input.anchor_turns = anchor_turns;
     maker_.add_fresh("stress", sequence_title(name) + ", before anything else",
                      kLength * kBudget, input, {operation_.function});
   }
@@ -239,6 +240,12 @@ void make_local_operation_cases(CaseMaker& maker, const LocalOperation& operatio
     const PolygonMesh mesh = shaken(maker.mesh(file), random);
     for (const MovedMesh& moved : moved_meshes(mesh, {0, 1}))
       cases.add_sequence(file + std::string(", shaken, ") + moved.how, moved.mesh, random);
+  }
+  // The third call at a boundary, as build() leaves it.
+  Random at_boundary = maker.random("sequences at a boundary");
+  for (const char* file : {"single_quad.obj", "ring_5.obj"}) {
+    for (int i = 0; i < 3; ++i)
+      cases.add_fresh_sequence(file, maker.mesh(file), at_boundary, 0);
   }
   for (const char* file : {"lens.obj", "pouch.obj", "ring_5.obj"})
     cases.add_refused_again(file);
