@@ -28,8 +28,8 @@ const std::vector<std::string>& closed_meshes() {
 
 const std::vector<std::string>& open_meshes() {
   static const std::vector<std::string> files{
-      "mixed_strip.obj", "quad_grid_3x3.obj",   "tube_6.obj",      "ring_5.obj",
-      "fan.obj",         "single_triangle.obj", "single_quad.obj", "two_patches.obj"};
+      "mixed_strip.obj",     "quad_grid_3x3.obj", "tube_6.obj",      "ring_5.obj", "fan.obj",
+      "single_triangle.obj", "single_quad.obj",   "two_patches.obj", "octagon.obj"};
   return files;
 }
 
@@ -77,6 +77,13 @@ bool touches_boundary(const Surface& surface, const Picked& picked) {
 const char* group_of(const Answer& answer, bool at_boundary) {
   if (answer.demand != Demand::kMust) return "refused";
   return at_boundary ? "boundary" : "basic";
+}
+
+PolygonMesh copies_apart(const PolygonMesh& mesh, std::size_t n) {
+  PolygonMesh all = mesh;
+  for (std::size_t i = 1; i < n; ++i)
+    all = side_by_side(mesh, all);
+  return all;
 }
 
 class OperationCases {
@@ -129,6 +136,36 @@ class OperationCases {
       maker_.add_fresh("stress", title(picked, file) + ", four times, before anything else",
                        4 * kBudget, LocalOperationInput{file, mesh, 0, four_times},
                        {operation_.function});
+    }
+  }
+
+  /// Two elements that share an end, in each of four equal parts of a mesh, in a process in
+  /// which nothing was called before. The last part goes first: what comes before it keeps its
+  /// place.
+  void add_fresh_neighbours() {
+    constexpr std::uint32_t kParts = 4;
+    const PolygonMesh part = quad_grid(2, 1);
+    const MeshDump built = built_mesh(part);
+    const std::uint32_t in_a_part = count_elements(built, operation_.picks);
+    for (const Places& places : all_places(operation_, built)) {
+      const Picked picked = pick_all(operation_, built, places);
+      const bool share = std::any_of(
+          picked.corners.begin(), picked.corners.end(),
+          [&](Label corner) { return place_of(picked.partner, corner).has_value(); });
+      if (!share || operation_.answer(face_lists_of(built), picked).demand != Demand::kMust)
+        continue;
+      for (const std::uint32_t anchor_turns : {0U, 1U}) {
+        LocalOperationInput input{
+            "four strips of two quads", copies_apart(part, kParts), anchor_turns, {}};
+        for (std::uint32_t i = kParts; i-- > 0;) {
+          for (std::uint32_t place : places)
+            input.places.push_back(i * in_a_part + place);
+        }
+        maker_.add_fresh("stress",
+                         title(picked, "each of four strips of two quads") +
+                             anchors_text(anchor_turns) + ", before anything else",
+                         kParts * kBudget, input, {operation_.function});
+      }
     }
   }
 
@@ -247,6 +284,13 @@ void make_local_operation_cases(CaseMaker& maker, const LocalOperation& operatio
     for (int i = 0; i < 3; ++i)
       cases.add_fresh_sequence(file, maker.mesh(file), at_boundary, 0);
   }
+  // Where hardly anything is refused of two elements, so that the third call does something.
+  Random on_parts = maker.random("sequences on parts");
+  for (const std::uint32_t anchor_turns : {0U, 1U, 0U, 1U})
+    cases.add_fresh_sequence("eight quads apart",
+                             copies_apart(maker.mesh("single_quad.obj"), 8), on_parts,
+                             anchor_turns);
+  if (operation.picks_two) cases.add_fresh_neighbours();
   for (const char* file : {"lens.obj", "pouch.obj", "ring_5.obj"})
     cases.add_refused_again(file);
   cases.add_high_valences("double pyramids with 13 to 24 sides", many_valences(13, 24, random));

@@ -12,11 +12,11 @@ namespace meshgrade {
 namespace {
 
 const char* const kFiles[] = {
-    "quad_cube.dae",   "prism_5.obj",       "pyramid_4.obj",      "dodecahedron.obj",
-    "octahedron.off",  "quad_torus.obj",    "bipyramid_3.obj",    "mixed_strip.obj",
-    "tube_6.obj",      "quad_grid_3x3.obj", "ring_5.obj",         "fan.obj",
-    "single_quad.obj", "two_triangles.obj", "two_patches.obj",    "valence_zoo.obj",
-    "grid_hole.off",   "tetrahedron.obj",   "single_triangle.obj"};
+    "quad_cube.dae",   "prism_5.obj",       "pyramid_4.obj",   "dodecahedron.obj",
+    "octahedron.off",  "quad_torus.obj",    "bipyramid_3.obj", "mixed_strip.obj",
+    "tube_6.obj",      "quad_grid_3x3.obj", "ring_5.obj",      "fan.obj",
+    "single_quad.obj", "two_triangles.obj", "two_patches.obj", "octagon.obj",
+    "valence_zoo.obj", "grid_hole.off",     "tetrahedron.obj", "single_triangle.obj"};
 
 Answer answer_to(const std::string& operation, const FaceLists& lists, const Corners& corners) {
   return find_local_operation(operation)->answer(lists, {corners});

@@ -15,12 +15,13 @@
 namespace meshgrade {
 namespace {
 
-const char* const kMeshes[] = {
-    "quad_cube.dae",   "prism_5.obj",       "pyramid_4.obj",       "dodecahedron.obj",
-    "octahedron.off",  "quad_torus.obj",    "bipyramid_3.obj",     "pouch.obj",
-    "lens.obj",        "mixed_strip.obj",   "quad_grid_3x3.obj",   "tube_6.obj",
-    "ring_5.obj",      "fan.obj",           "single_triangle.obj", "single_quad.obj",
-    "tetrahedron.obj", "two_triangles.obj", "valence_zoo.obj",     "two_patches.obj"};
+const char* const kMeshes[] = {"quad_cube.dae",    "prism_5.obj",       "pyramid_4.obj",
+                               "dodecahedron.obj", "octahedron.off",    "quad_torus.obj",
+                               "bipyramid_3.obj",  "pouch.obj",         "lens.obj",
+                               "mixed_strip.obj",  "quad_grid_3x3.obj", "tube_6.obj",
+                               "ring_5.obj",       "fan.obj",           "single_triangle.obj",
+                               "single_quad.obj",  "tetrahedron.obj",   "two_triangles.obj",
+                               "valence_zoo.obj",  "two_patches.obj",   "octagon.obj"};
 
 const char* const kOperations[] = {"edge_flip_polygon", "edge_split_polygon", "edge_collapse",
                                    "edge_dissolve",     "vertex_dissolve",    "vertex_inset",
