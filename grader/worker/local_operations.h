@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "grader/base/wire.h"
 #include "grader/cases/local_operation_input.h"
@@ -39,6 +40,13 @@ meshedit::Handle<T> pick(const meshedit::HalfedgeMesh& mesh, std::uint32_t place
   return live.empty() ? meshedit::Handle<T>() : Inspector::handle(live[place % live.size()]);
 }
 
+template <class... T, std::size_t... I>
+std::tuple<meshedit::Handle<T>...> pick_all(const meshedit::HalfedgeMesh& mesh,
+                                            const std::uint32_t* places,
+                                            std::index_sequence<I...> /*order*/) {
+  return {pick<T>(mesh, places[I])...};
+}
+
 }  // namespace local_operations_detail
 
 /// The results of the student's functions.
@@ -56,10 +64,8 @@ void run_picked_operations(WireReader& input, Recorder& recorder, Operation oper
   for (std::uint32_t i = 0; i < asked.anchor_turns; ++i)
     anchor_elsewhere(mesh);
   for (std::size_t i = 0; i + sizeof...(In) <= asked.places.size(); i += sizeof...(In)) {
-    std::size_t next = i;
-    // In braces, so that they are picked in order.
-    const std::tuple<meshedit::Handle<In>...> elements{
-        local_operations_detail::pick<In>(mesh, asked.places[next++])...};
+    const auto elements = local_operations_detail::pick_all<In...>(
+        mesh, &asked.places[i], std::index_sequence_for<In...>());
     LocalStep step;
     step.picked = dump_handle(mesh, std::get<0>(elements));
     if constexpr (sizeof...(In) == 2) step.partner = dump_handle(mesh, std::get<1>(elements));
