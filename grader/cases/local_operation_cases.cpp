@@ -252,18 +252,7 @@ class OperationCases {
   const LocalOperation& operation_;
 };
 
-}  // namespace
-
-void make_local_operation_cases(CaseMaker& maker, const LocalOperation& operation) {
-  OperationCases cases(maker, operation);
-  for (const auto* files : {&closed_meshes(), &open_meshes()}) {
-    for (const std::string& file : *files)
-      cases.add_every_element(file, 0);
-  }
-  for (const char* file : {"prism_5.obj", "mixed_strip.obj", "tube_6.obj"})
-    for (const std::uint32_t anchor_turns : {1U, 2U})
-      cases.add_every_element(file, anchor_turns);
-  Random random = maker.random("sequences");
+void add_sequences(OperationCases& cases, CaseMaker& maker, Random& random) {
   for (const char* file : {"dodecahedron.obj", "quad_torus.obj", "quad_grid_3x3.obj",
                            "mixed_strip.obj", "tube_6.obj", "icosahedron.obj"}) {
     cases.add_sequence(file, maker.mesh(file), random);
@@ -290,6 +279,21 @@ void make_local_operation_cases(CaseMaker& maker, const LocalOperation& operatio
     cases.add_fresh_sequence("eight quads apart",
                              copies_apart(maker.mesh("single_quad.obj"), 8), on_parts,
                              anchor_turns);
+}
+
+}  // namespace
+
+void make_local_operation_cases(CaseMaker& maker, const LocalOperation& operation) {
+  OperationCases cases(maker, operation);
+  for (const auto* files : {&closed_meshes(), &open_meshes()}) {
+    for (const std::string& file : *files)
+      cases.add_every_element(file, 0);
+  }
+  for (const char* file : {"prism_5.obj", "mixed_strip.obj", "tube_6.obj"})
+    for (const std::uint32_t anchor_turns : {1U, 2U})
+      cases.add_every_element(file, anchor_turns);
+  Random random = maker.random("sequences");
+  add_sequences(cases, maker, random);
   if (operation.picks_two) cases.add_fresh_neighbours();
   for (const char* file : {"lens.obj", "pouch.obj", "ring_5.obj"})
     cases.add_refused_again(file);
