@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <ostream>
 #include <string>
 
 #include "grader/commands/context.h"
+#include "grader/commands/kept_work.h"
 #include "grader/grade/grading.h"
 #include "grader/report/terminal_report.h"
 
@@ -25,9 +27,17 @@ Submission scotty3d_hand_in(const std::string& folder) {
   return find_submission(homework / folder, SubmissionRules());
 }
 
+/// Keeps what is compiled, since most tests change one function of the same homework.
+Home home_that_keeps() {
+  Home home = find_home();
+  setenv("XDG_CACHE_HOME", MESHGRADE_KEPT_DIR, 1);
+  keep_work(home);
+  return home;
+}
+
 Report grade_scotty3d(const Submission& submission,
                       const std::vector<std::string>& exercises = {}) {
-  static const Home home = find_home();
+  static const Home home = home_that_keeps();
   static const Assignment assignment = load_assignment("polygon_meshes");
   return grade(assignment, submission, home, exercises, [](const std::string&) {});
 }
