@@ -209,7 +209,9 @@ std::vector<std::string> task_command(const BatchCommandOptions& options) {
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
   };
-  add("--assignment", options.assignment.empty() ? "" : whole(options.assignment));
+  add("--assignment", options.assignment.empty()
+                          ? ""
+                          : whole(or_standard_assignment(options.assignment).string()));
   for (const std::string& exercise : options.exercises)
     add("--exercise", exercise);
   add("--layout", options.roster.layout);
@@ -288,10 +290,19 @@ int grade_class(const BatchCommandOptions& options, const Assignment& assignment
   return conclude(results, options, complete);
 }
 
-int batch(const BatchCommandOptions& options) {
-  const Assignment assignment = load_assignment(options.assignment);
-  choose_exercises(assignment, options.exercises);
-  require_hidden_seed(assignment);
+/// Says which assignment the hand-ins are about, if it is not the standard one.
+std::string recognised_for(const BatchCommandOptions& options, const Roster& roster) {
+  std::vector<SubmissionTaker> hand_ins;
+  for (const HandIn& hand_in : roster.hand_ins)
+    hand_ins.emplace_back([&hand_in] { return take_submission(hand_in, SubmissionRules()); });
+  std::string name = recognise_assignment(options.assignment, hand_ins);
+  if (options.assignment.empty() && !name.empty())
+    std::cout << "recognised: --assignment " << name << "\n";
+  return name;
+}
+
+int batch(BatchCommandOptions options) {
+  if (!options.assignment.empty()) load_assignment(options.assignment);  // before any work
   std::optional<BatchFolder> folder;
   if (!options.list) {
     if (options.results.empty()) throw UserError("name a folder for the results: -o RESULTS");
@@ -304,6 +315,10 @@ int batch(const BatchCommandOptions& options) {
                     "first");
   }
   const ClassSource source = open_class(options.submissions, options.roster);
+  options.assignment = recognised_for(options, source.roster);
+  const Assignment assignment = load_assignment(options.assignment);
+  choose_exercises(assignment, options.exercises);
+  require_hidden_seed(assignment);
   if (folder) return grade_class(options, assignment, source.roster, *folder);
   list_roster(source.roster, read_late_rule(or_standard_assignment(options.assignment)));
   return 0;
@@ -318,7 +333,7 @@ void add_options(CLI::App& command, BatchCommandOptions& options) {
                      "The folder for the results; nothing is written elsewhere");
   command.add_option(
       "--assignment", options.assignment,
-      "What is asked and what it is worth (TOML); the standard one if not given");
+      "What is asked and what it is worth (TOML); if not given, what the hand-ins are about");
   command.add_option("--exercise", options.exercises, "Only this exercise; may be repeated");
   add_roster_options(command, options.roster);
   command.add_flag("--list", options.list,

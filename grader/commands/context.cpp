@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -18,7 +19,6 @@
 #include "grader/judge/judge.h"
 #include "grader/sandbox/system_paths.h"
 #include "grader/submission/function_extents.h"
-#include "grader/submission/submission.h"
 
 namespace meshgrade {
 
@@ -164,10 +164,10 @@ struct Definitions {
 };
 
 /// None where a submission cannot be read, which is told where it is read to be graded.
-Definitions definitions_of(const fs::path& submission) {
+Definitions definitions_of(const SubmissionTaker& take) {
   Definitions definitions;
   try {
-    const Submission found = find_submission(submission, SubmissionRules());
+    const Submission found = take();
     definitions.dialect = found.dialect;
     for (const SourceFile* file : own_files(found)) {
       for (const FunctionExtent& function : find_functions(file->text))
@@ -191,16 +191,27 @@ bool is_about(const Assignment& assignment, const Definitions& definitions) {
 
 }  // namespace
 
-Assignment load_assignment_of(const std::string& file, const fs::path& submission) {
-  Assignment assignment = load_assignment(file);
-  if (!file.empty()) return assignment;
-  const Definitions defined = definitions_of(submission);
-  if (defined.functions.empty() || is_about(assignment, defined)) return assignment;
-  for (const std::string& name : named_assignments()) {
-    Assignment other = load_assignment(name);
-    if (is_about(other, defined)) return other;
+std::string recognise_assignment(const std::string& named,
+                                 const std::vector<SubmissionTaker>& submissions) {
+  if (!named.empty()) return named;
+  const Assignment standard = load_assignment("");
+  std::map<std::string, Assignment> others;
+  for (const std::string& name : named_assignments())
+    others.emplace(name, load_assignment(name));
+  std::string recognised;
+  for (const SubmissionTaker& take : submissions) {
+    const Definitions defined = definitions_of(take);
+    if (is_about(standard, defined)) return {};
+    for (const auto& [name, other] : others) {
+      if (recognised.empty() && is_about(other, defined)) recognised = name;
+    }
   }
-  return assignment;
+  return recognised;
+}
+
+Assignment load_assignment_of(const std::string& named, const fs::path& submission) {
+  return load_assignment(recognise_assignment(
+      named, {[&] { return find_submission(submission, SubmissionRules()); }}));
 }
 
 void require_hidden_seed(const Assignment& assignment) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "grader/assignment/assignment.h"
 #include "grader/build/home.h"
 #include "grader/package/program_files.h"
+#include "grader/submission/submission.h"
 
 namespace meshgrade {
 
@@ -49,9 +51,18 @@ std::vector<std::string> named_assignments();
 /// @throws UserError that names the file, the line and the key
 Assignment load_assignment(const std::string& file);
 
-/// The same; where none is named, that of which the submission defines a function, if it
-/// defines none of the standard one.
-Assignment load_assignment_of(const std::string& file, const std::filesystem::path& submission);
+/// Takes a submission. @throws UserError if there is nothing to grade
+using SubmissionTaker = std::function<Submission()>;
+
+/// The assignment that is named; where none is, the name of one of which these submissions
+/// define functions. Empty, which is the standard one, if one of them defines a function of
+/// that, or none of them any: only as many are taken as it needs to know.
+std::string recognise_assignment(const std::string& named,
+                                 const std::vector<SubmissionTaker>& submissions);
+
+/// The same of one submission, loaded.
+Assignment load_assignment_of(const std::string& named,
+                              const std::filesystem::path& submission);
 
 /// What counts must not be graded without the cases that it is to be graded by.
 /// @throws UserError if the assignment has hidden cases whose seed or mesh is not there

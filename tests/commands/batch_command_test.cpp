@@ -83,6 +83,23 @@ TEST_F(BatchCommand, GradesThenKeepsThenExportsAndCompares) {
   EXPECT_EQ(same.output, "0 hand-ins changed of 2\n");
 }
 
+TEST_F(BatchCommand, RecognisesWhichAssignmentAClassIsAbout) {
+  write_file(class_ / "cid" / "vertex_inset.cpp",
+             read_whole_file(reference() + "/polygon_meshes/vertex_inset.cpp"));
+  const auto graded = [&](const char* results) {
+    return call({"batch", class_.string(), "-o", (scratch_.path() / results).string()}).output;
+  };
+  // One hand-in about the first assignment is enough for that.
+  EXPECT_THAT(graded("first"), testing::AllOf(testing::Not(HasSubstr("recognised")),
+                                              HasSubstr("cid: 0 of 100 points")));
+  fs::remove_all(class_ / "ann");
+  EXPECT_THAT(graded("second"),
+              testing::AllOf(HasSubstr("recognised: --assignment polygon_meshes"),
+                             HasSubstr("cid: 10 of 270 points")));
+  EXPECT_THAT(call({"batch", class_.string(), "--list"}).output,
+              HasSubstr("recognised: --assignment polygon_meshes"));
+}
+
 TEST_F(BatchCommand, PicturesLieBesideTheReportUntilNothingIsWrong) {
   write_file(class_ / "ann" / "edge_flip.cpp",
              read_whole_file(wrong("edge_flip/next_wrong/edge_flip.cpp")));
