@@ -108,15 +108,8 @@ TEST_P(HostileSteps, OfAnotherExerciseAreMalformed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    , HostileSteps,
-    testing::Values("bezier_curve", "bezier_patch", "vertex_normal", "edge_flip", "edge_split",
-                    "loop_subdivision", "edge_flip_polygon", "edge_split_polygon",
-                    "edge_collapse", "edge_dissolve", "vertex_dissolve", "vertex_inset",
-                    "face_extrude", "face_collapse", "vertex_bevel", "edge_bevel",
-                    "face_remove", "edge_weld", "extrude_positions", "bevel_positions",
-                    "triangulation", "linear_subdivision", "catmull_clark", "loop_refinement"),
-    [](const auto& parameter) { return parameter.param; });
+INSTANTIATE_TEST_SUITE_P(, HostileSteps, testing::ValuesIn(all_exercises()),
+                         [](const auto& parameter) { return parameter.param; });
 
 // A forged history can lead to a mesh that does not have the edge that is asked for next.
 TEST(HostileHistory, EdgeThatIsNotThereIsMalformed) {

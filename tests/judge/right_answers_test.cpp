@@ -53,15 +53,8 @@ TEST_P(RightAnswers, WithAStepMissingAreNotBelieved) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    , RightAnswers,
-    testing::Values("bezier_curve", "bezier_patch", "vertex_normal", "edge_flip", "edge_split",
-                    "loop_subdivision", "edge_flip_polygon", "edge_split_polygon",
-                    "edge_collapse", "edge_dissolve", "vertex_dissolve", "vertex_inset",
-                    "face_extrude", "face_collapse", "vertex_bevel", "edge_bevel",
-                    "face_remove", "edge_weld", "extrude_positions", "bevel_positions",
-                    "triangulation", "linear_subdivision", "catmull_clark", "loop_refinement"),
-    [](const auto& parameter) { return parameter.param; });
+INSTANTIATE_TEST_SUITE_P(, RightAnswers, testing::ValuesIn(all_exercises()),
+                         [](const auto& parameter) { return parameter.param; });
 
 }  // namespace
 }  // namespace meshgrade

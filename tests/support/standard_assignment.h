@@ -12,11 +12,25 @@ inline const Assignment& standard_rubric() {
   return assignment;
 }
 
+inline const Assignment& polygon_rubric() {
+  static const Assignment assignment =
+      read_assignment(MESHGRADE_SOURCE_DIR "/grader/polygon_meshes.toml");
+  return assignment;
+}
+
+/// The exercises of all assignments that come along.
+inline std::vector<std::string> all_exercises() {
+  std::vector<std::string> names;
+  for (const Assignment* assignment : {&standard_rubric(), &polygon_rubric()}) {
+    for (const ExerciseRubric& rubric : assignment->exercises)
+      names.push_back(rubric.name);
+  }
+  return names;
+}
+
 /// The assignment that comes along and has this exercise.
 inline const Assignment& assignment_with(const std::string& exercise) {
-  static const Assignment polygons =
-      read_assignment(MESHGRADE_SOURCE_DIR "/grader/polygon_meshes.toml");
-  return standard_rubric().find(exercise) != nullptr ? standard_rubric() : polygons;
+  return standard_rubric().find(exercise) != nullptr ? standard_rubric() : polygon_rubric();
 }
 
 inline const ExerciseRubric& rubric_of(const std::string& exercise) {
