@@ -31,7 +31,8 @@ PolygonMesh as_polygons(const FaceLists& lists) {
   return mesh;
 }
 
-double shortest_way_out(const PlacementInput& face) {
+/// Of all faces; sides without a length, as operations leave them, do not count.
+double shortest_side(const PlacementInput& face) {
   double shortest = HUGE_VAL;
   for (const std::vector<std::uint32_t>& corners : face.mesh.polygons) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -105,7 +106,7 @@ class PlacementCases {
   }
 
   std::vector<Placement> drawn(const PlacementInput& face, std::size_t n) {
-    const double size = shortest_way_out(face);
+    const double size = shortest_side(face);
     std::vector<Placement> calls;
     for (std::size_t i = 0; i < n; ++i)
       calls.push_back(exercise_.draw(face, size, random_));
@@ -143,7 +144,7 @@ std::vector<RingCorner> ring_of(const PolygonMesh& mesh, std::uint32_t face) {
   }
   std::vector<RingCorner> ring;
   for (std::uint32_t corner : corners)
-    ring.push_back({mesh.positions[corner], mesh.positions[outer.at(corner)]});
+    ring.push_back({corner, outer.at(corner)});
   return ring;
 }
 

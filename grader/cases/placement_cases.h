@@ -18,11 +18,13 @@ struct PlacementExercise {
   Placement (*draw)(const PlacementInput& face, double size, Random& random) = nullptr;
 };
 
-/// The corners of the face in a mesh, and of each the vertex outside that an edge joins it to.
+/// A corner of a face, and the vertex outside of it that an edge joins it to, by their numbers.
 struct RingCorner {
-  Point3 at;
-  Point3 outer;
+  std::uint32_t corner;
+  std::uint32_t outer;
 };
+
+/// All corners of a face, in its order. Each has one edge that is no side.
 std::vector<RingCorner> ring_of(const PolygonMesh& mesh, std::uint32_t face);
 
 /// Adds cases on faces that operations have made on meshes of polygons, in the groups

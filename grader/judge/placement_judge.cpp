@@ -5,6 +5,7 @@
 
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
+#include "grader/cases/placement_cases.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/unchanged_mesh.h"
 #include "grader/operations/picked_element.h"
@@ -16,27 +17,10 @@ double distance(const Point3& a, const Point3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// The corners of a face in a mesh that keeps all rules, by vertex.
-struct Ring {
-  std::vector<Ref> corners;
-  std::vector<Ref> outer;
-};
-
-Ring ring_of(const MeshDump& mesh, Ref face) {
-  Ring ring;
-  ring.corners = corners_of(mesh, ElementKind::kFace, face).corners;
-  const auto is_corner = [&](Ref v) {
-    return std::find(ring.corners.begin(), ring.corners.end(), v) != ring.corners.end();
-  };
-  ring.outer.resize(ring.corners.size(), kUnsetRef);
-  for (const HalfedgeRecord& h : mesh.halfedges) {
-    const Ref end = mesh.halfedges[h.twin].vertex;
-    const auto place = std::find(ring.corners.begin(), ring.corners.end(), h.vertex);
-    if (place != ring.corners.end() && !is_corner(end))
-      ring.outer[static_cast<std::size_t>(place - ring.corners.begin())] = end;
-  }
-  return ring;
-}
+constexpr UnchangedWords kPlaces{
+    "only the corners of the face move, and nothing else changes",
+    "calls of new... and delete...: all elements are there already",
+    "assignments to .position: the corners of the face move, and no other vertex"};
 
 const Misconception& drifting() {
   static const Misconception drifting{
@@ -54,12 +38,11 @@ class PlacementJudge {
         rules_(rules),
         input_(input),
         start_(built_mesh(input.mesh, input.anchor_turns)),
-        ring_(ring_of(start_, find_element(start_, ElementKind::kFace, input.face))),
+        ring_(ring_of(input.mesh, input.face)),
         judgement_(judgement) {
-    for (const Ref v : ring_.outer) {
-      size_ = std::max(size_, distance(start_.vertices[v].position,
-                                       start_.vertices[ring_.outer[0]].position));
-    }
+    for (const RingCorner& corner : ring_)
+      size_ = std::max(size_, distance(start_.vertices[corner.outer].position,
+                                       start_.vertices[ring_[0].outer].position));
   }
 
   /// @return whether the step is right
@@ -67,7 +50,7 @@ class PlacementJudge {
     where_ = input_.calls.size() == 1 ? ""
                                       : "after call " + std::to_string(step + 1) + " of " +
                                             std::to_string(input_.calls.size());
-    if (const auto change = find_change(start_, with_old_corners(after), where_)) {
+    if (const auto change = find_change(start_, with_old_corners(after), where_, kPlaces)) {
       judgement_.findings.push_back(*change);
     } else {
       judge_places(step, before, after);
@@ -78,7 +61,8 @@ class PlacementJudge {
  private:
   /// The mesh as if no corner of the face had moved.
   MeshDump with_old_corners(MeshDump mesh) const {
-    for (const Ref v : ring_.corners) {
+    for (const RingCorner& corner : ring_) {
+      const Ref v = corner.corner;
       if (v < mesh.vertices.size()) mesh.vertices[v].position = start_.vertices[v].position;
     }
     return mesh;
@@ -88,22 +72,23 @@ class PlacementJudge {
   /// @param around where the mean is taken of all of them
   PlacedCorner corner(std::size_t i, const MeshDump& begin, const MeshDump& around) const {
     Point3 mean{};
-    for (const Ref v : ring_.corners) {
+    for (const RingCorner& corner : ring_) {
+      const Point3& at = around.vertices[corner.corner].position;
       for (std::size_t k = 0; k < 3; ++k)
-        mean[k] += around.vertices[v].position[k] / static_cast<double>(ring_.corners.size());
+        mean[k] += at[k] / static_cast<double>(ring_.size());
     }
-    return {begin.vertices[ring_.corners[i]].position, mean,
-            start_.vertices[ring_.outer[i]].position};
+    return {begin.vertices[ring_[i].corner].position, mean,
+            start_.vertices[ring_[i].outer].position};
   }
 
   double allowed() const { return task_.tolerance * size_; }
 
   bool fits(PlacementFormula place, std::size_t step, const MeshDump& begin,
             const MeshDump& around, const MeshDump& after) const {
-    for (std::size_t i = 0; i < ring_.corners.size(); ++i) {
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
       const Point3 expected = place(corner(i, begin, around), input_.calls[step]);
       // Not at most: what is no number fits nothing.
-      if (!(distance(expected, after.vertices[ring_.corners[i]].position) <= allowed()))
+      if (!(distance(expected, after.vertices[ring_[i].corner].position) <= allowed()))
         return false;
     }
     return true;
@@ -114,12 +99,12 @@ class PlacementJudge {
     std::size_t i = 0;
     Point3 expected{};
     Point3 actual{};
-    for (; i < ring_.corners.size(); ++i) {
+    for (; i < ring_.size(); ++i) {
       expected = rules_.right(corner(i, start_, start_), input_.calls[step]);
-      actual = after.vertices[ring_.corners[i]].position;
+      actual = after.vertices[ring_[i].corner].position;
       if (!(distance(expected, actual) <= allowed())) break;
     }
-    const std::string name = vertex_name(ring_.corners[i]);
+    const std::string name = vertex_name(ring_[i].corner);
     Finding finding = make_finding(
         "new-position", "each corner lies where the call says, whatever was called before",
         where_, name, point_text(expected),
@@ -146,7 +131,7 @@ class PlacementJudge {
   const PlacementRules& rules_;
   const PlacementInput& input_;
   MeshDump start_;
-  Ring ring_;
+  std::vector<RingCorner> ring_;
   double size_ = 0.0;
   std::string where_;
   CaseJudgement& judgement_;

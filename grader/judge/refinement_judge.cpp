@@ -20,6 +20,12 @@ namespace {
 
 constexpr PointKind kKinds[] = {PointKind::kFace, PointKind::kEdge, PointKind::kVertex};
 
+constexpr UnchangedWords kComputes{
+    "the function computes, and leaves the mesh as it was",
+    "calls of new... and delete...: cutting the faces is not the task",
+    "assignments to .position: the new place belongs into the map that is returned, and others "
+    "still need the old one"};
+
 /// How a kind of points is called.
 struct KindWords {
   ElementKind element;
@@ -137,7 +143,7 @@ class LevelJudge {
         rings_(rings_of(before)) {}
 
   void judge() {
-    if (const auto changed = find_change(before_, step_.after, where_)) {
+    if (const auto changed = find_change(before_, step_.after, where_, kComputes)) {
       judgement_.findings.push_back(*changed);
       return;
     }

@@ -87,7 +87,8 @@ TEST(Misplaced, MovingAnotherVertexIsSeen) {
       altered(path_of("bevel_positions"), "h->vertex()->position = start",
               "outer->position += Vector3D(0, 0, 0.01);\n    h->vertex()->position = start"));
   EXPECT_EQ(report.verdict, Verdict::kFailed);
-  EXPECT_NE(first_finding(report).rule, "new-position");
+  EXPECT_EQ(first_finding(report).rule, "mesh-changed");
+  EXPECT_NE(first_finding(report).look_at.find("no other vertex"), std::string::npos);
 }
 
 TEST(Misplaced, EveryNameHasItsMistake) {

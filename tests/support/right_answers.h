@@ -313,21 +313,21 @@ inline std::vector<std::string> right_loop_refinements(const WholeMeshInput& inp
 inline std::vector<std::string> right_placements(const PlacementInput& input, bool bevel) {
   std::vector<std::string> steps;
   const std::vector<RingCorner> ring = ring_of(input.mesh, input.face);
-  const std::vector<std::uint32_t>& corners = input.mesh.polygons[input.face];
   Point3 mean{};
   for (const RingCorner& corner : ring) {
     for (std::size_t k = 0; k < 3; ++k)
-      mean[k] += corner.outer[k] / static_cast<double>(ring.size());
+      mean[k] += input.mesh.positions[corner.outer][k] / static_cast<double>(ring.size());
   }
   for (const Placement& call : input.calls) {
     MeshDump mesh = built_mesh(input.mesh, input.anchor_turns);
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const auto& [at, outer] = ring[i];
+    for (const RingCorner& corner : ring) {
+      const Point3& at = input.mesh.positions[corner.corner];
+      const Point3& outer = input.mesh.positions[corner.outer];
       Point3 way{outer[0] - at[0], outer[1] - at[1], outer[2] - at[2]};
       const double along =
           way[0] * call.vector[0] + way[1] * call.vector[1] + way[2] * call.vector[2];
       for (std::size_t k = 0; k < 3; ++k)
-        mesh.vertices[corners[i]].position[k] =
+        mesh.vertices[corner.corner].position[k] =
             bevel ? at[k] + call.amount / along * way[k]
                   : outer[k] + call.amount * (mean[k] - outer[k]) + call.vector[k];
     }

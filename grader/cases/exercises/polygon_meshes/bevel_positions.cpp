@@ -12,8 +12,9 @@ constexpr double kLeastAlong = 0.25;
 double least_along(const PlacementInput& face, const Point3& direction) {
   double least = 1.0;
   for (const RingCorner& corner : ring_of(face.mesh, face.face)) {
-    const Point3 way{corner.outer[0] - corner.at[0], corner.outer[1] - corner.at[1],
-                     corner.outer[2] - corner.at[2]};
+    const Point3& at = face.mesh.positions[corner.corner];
+    const Point3& outer = face.mesh.positions[corner.outer];
+    const Point3 way{outer[0] - at[0], outer[1] - at[1], outer[2] - at[2]};
     const double length = std::hypot(way[0], way[1], way[2]);
     const double dot = way[0] * direction[0] + way[1] * direction[1] + way[2] * direction[2];
     least = std::min(least, std::abs(dot) / length);

@@ -29,11 +29,16 @@ OddFace find_odd_face(const PolygonMesh& mesh) {
   return {static_cast<std::size_t>(odd - mesh.polygons.begin()), odd->size()};
 }
 
+constexpr const char* kTooEarly =
+    "what is changed before the last face was asked for its degree()";
+constexpr UnchangedWords kRefuses{"a function that refuses leaves the mesh as it was",
+                                  kTooEarly, kTooEarly};
+
 /// Judges a call on a mesh that must be refused.
 void judge_refusal(const WholeMeshInput& input, const OddFace& odd, const RefusableStep& step,
                    CaseJudgement& judgement) {
   const MeshDump before = built_mesh(input.mesh, input.anchor_turns);
-  const auto change = find_change(before, step.after, "");
+  const auto change = find_change(before, step.after, "", kRefuses);
   const std::string face = face_name(static_cast<Ref>(odd.face));
   const std::string reason = face + " has " + plural(odd.corners, "corner");
   if (step.done != 0) {
@@ -44,10 +49,9 @@ void judge_refusal(const WholeMeshInput& input, const OddFace& odd, const Refusa
                : "true was returned, and the mesh is as it was",
         "a loop over all faces at the start, that asks degree()"));
   } else if (change) {
-    judgement.findings.push_back(
-        make_finding("refused-unchanged", "a function that refuses leaves the mesh as it was",
-                     "", change->element, change->expected, change->actual,
-                     "what is changed before the last face was asked for its degree()"));
+    judgement.findings.push_back(make_finding("refused-unchanged", change->meaning, "",
+                                              change->element, change->expected, change->actual,
+                                              kTooEarly));
   }
 }
 
