@@ -1,7 +1,6 @@
 #include "grader/judge/local_operation_judge.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
@@ -9,6 +8,7 @@
 #include "grader/judge/face_match.h"
 #include "grader/judge/findings.h"
 #include "grader/judge/options.h"
+#include "grader/judge/point_compare.h"
 #include "grader/operations/local_operation_list.h"
 #include "grader/operations/picked_element.h"
 
@@ -213,12 +213,11 @@ class LocalStepJudge {
   }
 
   bool has_new_positions(const LabelMap& map) {
-    const double allowed = task_.tolerance * size_of_picked();
+    const double allowed = allowed_error();
     for (const auto& [label, v] : map) {
       const Point3& expected = answer_.after.positions[label];
       const Point3& actual = after_.vertices[v].position;
-      const double error =
-          std::hypot(actual[0] - expected[0], actual[1] - expected[1], actual[2] - expected[2]);
+      const double error = distance(expected, actual);
       if (error <= allowed) continue;
       report("new-position",
              "a new vertex, or one that is left of several, lies where the "
@@ -231,9 +230,8 @@ class LocalStepJudge {
     return true;
   }
 
-  /// The length that positions are judged by: the longest distance of corners of the faces
-  /// around the element.
-  double size_of_picked() const {
+  /// Relative to the longest distance of corners of the faces around the element.
+  double allowed_error() const {
     double size = 0.0;
     for (const Corners& corners : lists_.faces) {
       const bool is_near =
@@ -241,12 +239,10 @@ class LocalStepJudge {
                       [&](Label label) { return place_of(corners, label).has_value(); });
       if (!is_near) continue;
       for (Label label : corners) {
-        const Point3& a = lists_.positions[corners[0]];
-        const Point3& b = lists_.positions[label];
-        size = std::max(size, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+        size = std::max(size, distance(lists_.positions[corners[0]], lists_.positions[label]));
       }
     }
-    return size;
+    return task_.tolerance * size;
   }
 
   void judge_returned(const LabelMap& map) {

@@ -1,21 +1,17 @@
 #include "grader/judge/placement_judge.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "grader/base/text.h"
 #include "grader/base/wire.h"
 #include "grader/cases/placement_cases.h"
 #include "grader/judge/findings.h"
+#include "grader/judge/point_compare.h"
 #include "grader/judge/unchanged_mesh.h"
 #include "grader/operations/picked_element.h"
 
 namespace meshgrade {
 namespace {
-
-double distance(const Point3& a, const Point3& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 constexpr UnchangedWords kPlaces{
     "only the corners of the face move, and nothing else changes",
@@ -34,15 +30,16 @@ class PlacementJudge {
  public:
   PlacementJudge(const JudgeTask& task, const PlacementRules& rules,
                  const PlacementInput& input, CaseJudgement& judgement)
-      : task_(task),
-        rules_(rules),
+      : rules_(rules),
         input_(input),
         start_(built_mesh(input.mesh, input.anchor_turns)),
         ring_(ring_of(input.mesh, input.face)),
         judgement_(judgement) {
+    double size = 0.0;
     for (const RingCorner& corner : ring_)
-      size_ = std::max(size_, distance(start_.vertices[corner.outer].position,
-                                       start_.vertices[ring_[0].outer].position));
+      size = std::max(size, distance(start_.vertices[corner.outer].position,
+                                     start_.vertices[ring_[0].outer].position));
+    allowed_ = task.tolerance * size;
   }
 
   /// @return whether the step is right
@@ -81,15 +78,11 @@ class PlacementJudge {
             start_.vertices[ring_[i].outer].position};
   }
 
-  double allowed() const { return task_.tolerance * size_; }
-
   bool fits(PlacementFormula place, std::size_t step, const MeshDump& begin,
             const MeshDump& around, const MeshDump& after) const {
     for (std::size_t i = 0; i < ring_.size(); ++i) {
       const Point3 expected = place(corner(i, begin, around), input_.calls[step]);
-      // Not at most: what is no number fits nothing.
-      if (!(distance(expected, after.vertices[ring_[i].corner].position) <= allowed()))
-        return false;
+      if (distance(expected, after.vertices[ring_[i].corner].position) > allowed_) return false;
     }
     return true;
   }
@@ -102,7 +95,7 @@ class PlacementJudge {
     for (; i < ring_.size(); ++i) {
       expected = rules_.right(corner(i, start_, start_), input_.calls[step]);
       actual = after.vertices[ring_[i].corner].position;
-      if (!(distance(expected, actual) <= allowed())) break;
+      if (distance(expected, actual) > allowed_) break;
     }
     const std::string name = vertex_name(ring_[i].corner);
     Finding finding = make_finding(
@@ -127,12 +120,11 @@ class PlacementJudge {
     return likely;
   }
 
-  const JudgeTask& task_;
   const PlacementRules& rules_;
   const PlacementInput& input_;
   MeshDump start_;
   std::vector<RingCorner> ring_;
-  double size_ = 0.0;
+  double allowed_;  ///< how far a corner may be off
   std::string where_;
   CaseJudgement& judgement_;
 };

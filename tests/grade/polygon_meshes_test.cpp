@@ -112,6 +112,11 @@ const Change kRight[] = {
     {"BeginsOnTheOtherSide", "edge_flip_polygon",
      "const HalfedgeIter h = e->halfedge();  // a to b, in f",
      "const HalfedgeIter h = e->halfedge()->twin();", ""},
+    {"ComputesInFloat", "face_collapse", "sum += side->vertex()->position;",
+     "for (int i = 0; i < 3; ++i) sum[i] = static_cast<float>(\n"
+     "        static_cast<float>(sum[i]) + "
+     "static_cast<float>(side->vertex()->position[i]));",
+     ""},
     {"BeginsAtAnotherCorner", "face_collapse", "around(f->halfedge());",
      "around(f->halfedge()->next());", ""},
     {"KeepsTheOtherEdge", "edge_weld", "const HalfedgeIter h = outsideOf(e);",
