@@ -69,6 +69,19 @@ GradeFunction quiet_grading(const Assignment& assignment, const Home& home) {
   };
 }
 
+/// What does not compile as a whole is left to be graded.
+FailsFunction quick_look(const Assignment& assignment, const Home& home) {
+  return [&](const Submission& submission, const std::string& exercise) {
+    const Build build = build_submission(submission, home, assignment.limits);
+    const bool compiles =
+        std::all_of(build.files.begin(), build.files.end(), [](const BuiltFile& file) {
+          return file.ok && file.left_out.empty();
+        });
+    return compiles &&
+           fails_at_once(assignment, home, {submission, build}, *assignment.find(exercise));
+  };
+}
+
 Pipeline pipeline_of(const Assignment& assignment, const Home& home) {
   const auto run = [&](const Original& original, const ExerciseRubric& rubric) {
     const Build build =
@@ -76,7 +89,7 @@ Pipeline pipeline_of(const Assignment& assignment, const Home& home) {
     ExerciseRun ran = run_exercise(assignment, home, {original.submission, build}, rubric);
     return RightRun{original.name, std::move(ran.cases), std::move(ran.outcomes)};
   };
-  return {quiet_grading(assignment, home), run};
+  return {quiet_grading(assignment, home), quick_look(assignment, home), run};
 }
 
 std::vector<KnownMistake> grade_mistakes(unsigned jobs) {
@@ -122,7 +135,8 @@ Adequacy measure_standard_adequacy(const AdequacyOptions& options,
 int check_adequacy(const AdequacyOptions& options, const std::string& page) {
   const Adequacy adequacy = measure_standard_adequacy(options, show_progress);
   std::cout << to_summary(adequacy);
-  const bool tells_enough = (options.mutants == 0 || options.mutants >= kMutantsOfAPage) &&
+  const bool tells_enough = !options.survivors_only &&
+                            (options.mutants == 0 || options.mutants >= kMutantsOfAPage) &&
                             options.exercise.empty() && options.assignment.empty();
   if (tells_enough || !page.empty()) {
     const std::filesystem::path file =

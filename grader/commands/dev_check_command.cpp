@@ -165,10 +165,15 @@ void add_mutant_options(CLI::App* command, Options& options) {
       ->needs(mutants);
   command->add_option("--only", options.adequacy.exercise, "Only mutants of this exercise")
       ->needs(mutants);
+  CLI::Option* survivors = command->add_flag(
+      "--survivors", options.adequacy.survivors_only,
+      "Only find out which survive, in a third of the time: of the others nothing is said");
+  survivors->needs(mutants);
   command
       ->add_option("--page", options.page,
                    "Write the page to this file, however few are graded")
-      ->needs(mutants);
+      ->needs(mutants)
+      ->excludes(survivors);
   command->add_option("-j,--jobs", options.adequacy.jobs, "How many are graded at a time (2)")
       ->needs(mutants);
 }
@@ -191,6 +196,7 @@ void add_dev_check_command(CLI::App& app, int& exit_code) {
       "  meshgrade dev-check\n"
       "  meshgrade dev-check --write\n"
       "  meshgrade dev-check --mutants --sample 40 --only edge_flip\n"
+      "  meshgrade dev-check --mutants --survivors --variants 0 --only edge_split\n"
       "Exit code: 0 all agree, 1 something does not, 2 or 3 an error.");
   command->callback([options, &exit_code] {
     exit_code = options->mutants    ? check_adequacy(options->adequacy, options->page)

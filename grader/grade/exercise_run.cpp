@@ -278,4 +278,17 @@ ExerciseRun run_exercise(const Assignment& assignment, const Home& home,
   return run;
 }
 
+bool fails_at_once(const Assignment& assignment, const Home& home, const Candidate& candidate,
+                   const ExerciseRubric& rubric) {
+  const std::vector<Case> cases = make_cases(assignment, rubric, home.meshes);
+  const std::vector<const Case*> asked = pointers_to(cases);
+  const std::vector<Outcome> outcomes =
+      run_cases(candidate.build, asked, assignment.limits, Company::kTogether);
+  Conventions conventions = find_exercise_judge(rubric).conventions;
+  const auto judgements = judge_all(assignment, rubric, asked, outcomes, conventions, 0);
+  return std::any_of(judgements.begin(), judgements.end(), [](const CaseJudgement& judgement) {
+    return judgement.verdict != Verdict::kPassed && !judgement.excused;
+  });
+}
+
 }  // namespace meshgrade

@@ -30,6 +30,11 @@ struct ExerciseRun {
 ExerciseRun run_exercise(const Assignment& assignment, const Home& home,
                          const Candidate& candidate, const ExerciseRubric& rubric);
 
+/// Whether any case fails, and nothing else: no case is run again, explained or made smaller.
+/// @throws GraderError if the grader itself fails
+bool fails_at_once(const Assignment& assignment, const Home& home, const Candidate& candidate,
+                   const ExerciseRubric& rubric);
+
 /// Judges outcomes that are there already. Cases that fail run once more alone, and the first
 /// of them are made smaller where that is possible.
 /// @throws GraderError if the grader itself fails

@@ -149,8 +149,15 @@ Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Origin
   const std::set<std::string> possible = ids_of(mutants);
   if (!options.exercise.empty()) keep_exercise(mutants, options.exercise);
   adequacy.possible_mutants = mutants.size();
-  adequacy.mutants = grade_mutants(assignment, originals, choose(mutants, options), grade,
-                                   options.jobs, progress);
+  std::vector<Mutant> chosen = choose(mutants, options);
+  if (options.survivors_only) {
+    const std::size_t all = chosen.size();
+    chosen = without_failing(assignment, originals, chosen, pipeline.fails, options.jobs,
+                             progress);
+    adequacy.failed_at_once = all - chosen.size();
+  }
+  adequacy.mutants =
+      grade_mutants(assignment, originals, chosen, grade, options.jobs, progress);
   compare_with_list(adequacy, originals, possible);
   adequacy.single_pointers = spoil_single_pointers(assignment, originals, options, pipeline);
   // make_variant() knows how these two are laid out.

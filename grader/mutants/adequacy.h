@@ -25,12 +25,15 @@ struct AdequacyOptions {
   /// Whether the solutions are run, and spoiled in one pointer each; and whether all mutants of
   /// the textbook that set just one pointer wrong are graded, drawn or not.
   bool single_pointers = true;
+  /// Whether only those mutants are graded that do not fail at a glance.
+  bool survivors_only = false;
 };
 
 struct Adequacy {
   AdequacyOptions options;
   std::vector<std::string> exercises;
   std::size_t possible_mutants = 0;  ///< of which `mutants` are all, or some
+  std::size_t failed_at_once = 0;    ///< mutants that were killed without being graded
   std::vector<MutantResult> mutants;
   SurvivorList reviewed;
   std::vector<std::string> unexplained;         ///< survivors that are not in the list
@@ -64,9 +67,10 @@ struct Share {
 Share pointers_named(const Adequacy& adequacy);
 Share functions_named(const Adequacy& adequacy);
 
-/// How submissions are graded, and how the cases of one exercise are run only.
+/// How submissions are graded, how they are only asked whether they fail, and how the cases of one exercise are run only.
 struct Pipeline {
   GradeFunction grade;
+  FailsFunction fails;
   std::function<RightRun(const Original&, const ExerciseRubric&)> run;
 };
 

@@ -297,7 +297,9 @@ std::string to_summary(const Adequacy& adequacy) {
   const auto complain = [](const std::string& what, const std::vector<std::string>& items) {
     return items.empty() ? "" : what + ":\n" + list_text(items);
   };
-  return plural(tally.all(), "mutant") + ": " + std::to_string(tally.killed) + " killed, " +
+  const std::size_t at_once = adequacy.failed_at_once;
+  return plural(tally.all() + at_once, "mutant") + ": " +
+         std::to_string(tally.killed + at_once) + " killed, " +
          std::to_string(tally.survived) + " survived (" +
          std::to_string(adequacy.unexplained.size()) + " not explained), " +
          std::to_string(tally.not_compiled) + " do not compile\n" +

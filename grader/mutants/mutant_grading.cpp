@@ -151,6 +151,31 @@ MutantSubmission all_exercises(const Assignment& assignment, const Original& ori
   return made;
 }
 
+std::vector<Mutant> without_failing(const Assignment& assignment,
+                                    const std::vector<Original>& originals,
+                                    const std::vector<Mutant>& mutants,
+                                    const FailsFunction& fails, unsigned jobs,
+                                    const JobProgress& progress) {
+  const std::string failing = "fails";
+  const auto work = [&](std::size_t i) -> std::string {
+    const Mutant& mutant = mutants[i];
+    const auto made = own_exercise(assignment, original_of(originals, mutant), mutant);
+    try {
+      return fails(made.submission, mutant.exercise) ? failing : "";
+    } catch (const GraderError&) {
+      return "";  // grading it will say so
+    }
+  };
+  const auto results = run_jobs(mutants.size(), jobs, work, [&](std::size_t done) {
+    progress("mutants, at a glance", done, mutants.size());
+  });
+  std::vector<Mutant> left;
+  for (std::size_t i = 0; i < mutants.size(); ++i) {
+    if (results[i] != failing) left.push_back(mutants[i]);
+  }
+  return left;
+}
+
 std::vector<MutantResult> grade_mutants(const Assignment& assignment,
                                         const std::vector<Original>& originals,
                                         const std::vector<Mutant>& mutants,

@@ -15,6 +15,10 @@ namespace meshgrade {
 using GradeFunction = std::function<Report(const Submission& submission,
                                            const std::vector<std::string>& exercises)>;
 
+/// Whether an exercise of a submission that compiles fails, whatever is to be said of it.
+using FailsFunction =
+    std::function<bool(const Submission& submission, const std::string& exercise)>;
+
 /// Told how many of how many jobs are done.
 using JobProgress =
     std::function<void(const std::string& what, std::size_t done, std::size_t count)>;
@@ -48,6 +52,14 @@ MutantSubmission own_exercise(const Assignment& assignment, const Original& orig
 /// The whole submission, and all exercises.
 MutantSubmission all_exercises(const Assignment& assignment, const Original& original,
                                const Mutant& mutant);
+
+/// Those that do not fail in their own exercise, and those that do not compile: to be graded.
+/// It takes a part of the time of grading all.
+std::vector<Mutant> without_failing(const Assignment& assignment,
+                                    const std::vector<Original>& originals,
+                                    const std::vector<Mutant>& mutants,
+                                    const FailsFunction& fails, unsigned jobs,
+                                    const JobProgress& progress);
 
 /// Grades all, `jobs` at a time: by the exercise of the file, and if that finds nothing, by the
 /// others, which may call its functions. (The first exercise that loses points is the same as
