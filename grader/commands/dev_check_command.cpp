@@ -199,6 +199,8 @@ void add_dev_check_command(CLI::App& app, int& exit_code) {
       "  meshgrade dev-check --mutants --survivors --variants 0 --only edge_split\n"
       "Exit code: 0 all agree, 1 something does not, 2 or 3 an error.");
   command->callback([options, &exit_code] {
+    // Single pointers are about what is said.
+    if (options->adequacy.survivors_only) options->adequacy.single_pointers = false;
     exit_code = options->mutants    ? check_adequacy(options->adequacy, options->page)
                 : options->mistakes ? write_known_mistakes(options->adequacy.jobs)
                                     : dev_check(options->write);
