@@ -32,7 +32,7 @@ endif()
 # meshgrade_precompiled(<name> <headers...>)
 #
 # Headers that nearly every source of a folder includes, compiled once for its targets, which
-# take them by REUSE_FROM. Each source still includes what it uses: clang-tidy reads it without.
+# take them by REUSE_FROM. Each source still includes what it uses: clang-tidy reads them without.
 function(meshgrade_precompiled name)
   set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
   file(CONFIGURE OUTPUT "${source}" CONTENT "// Only its precompiled headers are wanted.\n")

@@ -5,10 +5,11 @@ is wrong with a test shows when it runs, and this is what takes longest of all c
   tidy.py <build folder>
 
 Most of clang-tidy's time goes into walking through the headers of a source. So each source is
-read alone only for what depends on its being alone: that it compiles, and its using declarations.
-For the other checks several sources are read as one, and their headers once. Where something is
-found, or sources do not compile together since both have a helper of one name, they are read in
-halves, and at last one by one, so that what is reported is always of a source alone.
+read alone only for what depends on its being alone: that it compiles, with the headers that its
+room has precompiled, and its using declarations, if it has any. For the other checks several
+sources are read as one, and their headers once, nothing precompiled. Where something is found, or
+sources do not compile together since both have a helper of one name, they are read in halves, and
+at last one by one, so that what is reported is always of a source alone.
 
 Each version of clang-tidy has other checks: with another one than ours nothing is read, and the
 exit code is 77, "skipped".
@@ -20,6 +21,7 @@ source or one of its headers changes, so a stamp younger than the object still h
 import json
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -32,6 +34,8 @@ MOST_TOGETHER = 16
 VERSION = "14."
 SKIPPED = 77
 CHECKS_OF_ONE = "misc-unused-using-decls"
+USING = re.compile(r"^\s*using (?!namespace )[\w:]+;", re.MULTILINE)
+COMPILER = "clang++-14"  # clang-tidy's own, which comes with it
 
 
 def names_of(text):
@@ -58,12 +62,18 @@ class Source:
     def __init__(self, entry, file):
         self.file = file
         self.folder = entry["directory"]
-        # Without GCC's precompiled headers: a source has to include what it uses.
-        command = re.sub(r' -Winvalid-pch -include ("[^"]*"|\S+)', "", entry["command"])
+        # Without GCC's precompiled headers, which clang cannot read.
+        precompiled = r' -Winvalid-pch -include (?:"([^"]*)"|(\S+))'
+        headers = re.search(precompiled, entry["command"])
+        self.headers = headers and (headers[1] or headers[2])
+        command = re.sub(precompiled, "", entry["command"])
         self.flags, output = re.match(r"(.*) -o (\S+) -c ", command).groups()
+        self.standard = re.search(r"-std=\S+", self.flags)[0]
         self.object = Path(self.folder, output)
         self.stamp = Path(f"{self.object}.{self.file.name}.tidy")
-        self.names = names_of(self.file.read_text())
+        text = self.file.read_text()
+        self.names = names_of(text)
+        self.is_using = USING.search(text) is not None
         self.settings = [f / SETTINGS for f in self.file.parents if (f / SETTINGS).exists()]
 
     def has_passed(self):
@@ -124,8 +134,34 @@ def tidy(file, source, *options):
     return "" if done.returncode == 0 else done.stdout
 
 
-def check_alone(source):
-    return tidy(source.file, source, f"--checks=-*,{CHECKS_OF_ONE}")
+def clang(source, *arguments):
+    """What clang says when it compiles the source as it is compiled, with these arguments."""
+    flags = source.flags.split(" ", 1)[1]
+    done = subprocess.run(
+        f"{COMPILER} {flags} -w {shlex.join(map(str, arguments))}", shell=True, cwd=source.folder,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    return "" if done.returncode == 0 else done.stdout
+
+
+def precompile(sources, folder):
+    """The headers that these sources have precompiled, as files for clang, by headers and
+    standard."""
+    users = {(source.headers, source.standard): source for source in sources if source.headers}
+    made = {key: Path(folder, f"{number}.pch") for number, key in enumerate(users)}
+    for key, file in made.items():
+        if said := clang(users[key], "-x", "c++-header", "-fpch-instantiate-templates", key[0],
+                         "-o", file):
+            sys.exit(said)
+    return made
+
+
+def check_alone(source, precompiled):
+    if source.is_using:
+        return tidy(source.file, source, f"--checks=-*,{CHECKS_OF_ONE}")
+    headers = precompiled.get((source.headers, source.standard))
+    # Sources of a room have other macros of their own; none has a part in these headers.
+    use = ["-include-pch", headers, "-Xclang", "-fno-validate-pch"] if headers else []
+    return clang(source, *use, "-fsyntax-only", source.file)
 
 
 def check_together(members, folder):
@@ -159,8 +195,9 @@ def main(build):
         print(f"skipped: the checks are those of clang-tidy {VERSION.rstrip('.')}, and this is {version}")
         return SKIPPED
     sources = [s for s in own_sources(build) if not s.has_passed()]
-    with ThreadPoolExecutor(os.cpu_count()) as jobs:
-        alone = list(jobs.map(check_alone, sources))
+    with ThreadPoolExecutor(os.cpu_count()) as jobs, tempfile.TemporaryDirectory() as folder:
+        precompiled = precompile(sources, folder)
+        alone = list(jobs.map(lambda source: check_alone(source, precompiled), sources))
         fit = [source for source, found in zip(sources, alone) if not found]
         together = list(jobs.map(lambda members: check_together(members, build), groups(fit)))
     found = "".join(alone + together)
