@@ -31,7 +31,9 @@ std::vector<std::string> adapter_files(Dialect dialect) {
     case Dialect::kCourse2017:
       return {"adapter.cpp", "adapter_2017.cpp"};
     case Dialect::kScotty3d:
-      return {"adapter.cpp", "mesh_bridge.cpp", "halfedge_mesh.cpp"};
+      return {"adapter.cpp", "halfedge_mesh.cpp"};
+    case Dialect::kScotty3d2020:
+      return {"adapter.cpp", "halfedge_mesh.cpp", "debug_data.cpp"};
   }
   return {};
 }
@@ -89,8 +91,8 @@ class Builder {
       LeavingOut& rest = rests_.back();
       if (submission_.dialect == Dialect::kCourse2016) rest.remove_members("BezierPatch");
       if (is_berkeleys(submission_.dialect)) rest.mark_unwritten(graded_functions());
-      if (submission_.dialect == Dialect::kScotty3d) {
-        rest.mark_refusing(scotty3d_graded_functions());
+      if (is_scotty3d(submission_.dialect)) {
+        rest.mark_refusing(scotty3d_graded_functions(submission_.dialect));
         // The grader's own takes down what it is given.
         rest.remove_function("Halfedge_Mesh::catmark_subdivide_helper");
       }
@@ -152,9 +154,7 @@ class Builder {
 
   /// Whether the worker's own part is compiled anew: it sees the classes that the student has
   /// added to.
-  bool has_driver() const {
-    return !splice_.empty() && submission_.dialect != Dialect::kScotty3d;
-  }
+  bool has_driver() const { return !splice_.empty() && !is_scotty3d(submission_.dialect); }
 
   /// Whether what is not the student's compiles with the members that were added.
   bool is_own_part_fine() const {

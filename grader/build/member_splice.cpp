@@ -38,7 +38,7 @@ const std::map<std::string, std::string>& open_classes_of_2017() {
 
 /// The classes of the skeleton, and the files of what is added to them.
 const std::map<std::string, std::string>& open_classes_of(Dialect dialect) {
-  return dialect == Dialect::kScotty3d ? scotty3d_open_classes() : open_classes();
+  return is_scotty3d(dialect) ? scotty3d_open_classes() : open_classes();
 }
 
 /// In 2016 the Bezier part is another one, and left out.
@@ -95,7 +95,7 @@ bool is_rare_member_of_course(const ClassMember& member) {
 }
 
 bool is_of_course(const ClassMember& member, Dialect dialect) {
-  if (dialect == Dialect::kScotty3d) return is_in_our_scotty3d_class(member);
+  if (is_scotty3d(dialect)) return is_in_our_scotty3d_class(member, dialect);
   const bool old = dialect == Dialect::kCourse2017;
   const Words& known =
       (old ? course_members_of_2017() : course_members()).at(member.class_name);
@@ -265,7 +265,7 @@ Texts texts_of(const std::vector<AddedPiece>& pieces) {
 }  // namespace
 
 MemberSplice::MemberSplice(const Submission& submission) : dialect_(submission.dialect) {
-  if (dialect_ == Dialect::kScotty3d) add_scotty3d(submission);
+  if (is_scotty3d(dialect_)) add_scotty3d(submission);
   if (!is_berkeleys(submission.dialect)) return;
   for (const SourceFile& header : submission.course_headers)
     add_header(header);
@@ -285,8 +285,8 @@ void MemberSplice::add_scotty3d(const Submission& submission) {
   for (const SourceFile& source : submission.course_sources)
     add_definitions(source);
   keep_used(submission);
-  for (AddedPiece& piece :
-       scotty3d_members_defined(submission.sources, {declared_.begin(), declared_.end()})) {
+  for (AddedPiece& piece : scotty3d_members_defined(submission.sources, dialect_,
+                                                    {declared_.begin(), declared_.end()})) {
     declared_.emplace_back(piece.member.class_name, piece.member.names[0]);
     pieces_.push_back(std::move(piece));
   }
@@ -308,9 +308,8 @@ void MemberSplice::add_header(const SourceFile& header) {
 void MemberSplice::add_definitions(const SourceFile& file) {
   if (declared_.empty() && !is_header_name(file.name)) return;
   for (const FunctionExtent& function : find_functions(file.text)) {
-    const std::string name = dialect_ == Dialect::kScotty3d
-                                 ? without_scotty3d_mesh(function.name)
-                                 : without_namespace(function.name);
+    const std::string name = is_scotty3d(dialect_) ? without_scotty3d_mesh(function.name)
+                                                   : without_namespace(function.name);
     const std::size_t colons = name.find("::");
     const std::string class_name = colons == std::string::npos ? "" : name.substr(0, colons);
     const MemberUse member{class_name, class_name.empty() ? name : name.substr(colons + 2), ""};
@@ -439,7 +438,7 @@ bool MemberSplice::is_slip(const MemberUse& use) {
 
 std::vector<SourceFile> MemberSplice::files() const {
   Texts texts = texts_of(pieces_);
-  if (dialect_ == Dialect::kScotty3d) {
+  if (is_scotty3d(dialect_)) {
     for (const auto& [class_name, text] : texts.data)
       texts.functions[class_name] = text + texts.functions[class_name];
     return scotty3d_added_files(texts.functions, texts.later);
@@ -474,7 +473,7 @@ std::vector<std::string> MemberSplice::notes() const {
     if (piece.file.empty() || is_rare_member_of_course(piece.member)) continue;
     // What the course itself hands out in the student's files is nobody's addition.
     const bool is_known =
-        dialect_ == Dialect::kScotty3d &&
+        is_scotty3d(dialect_) &&
         (is_source_name(piece.file) || is_provided_by_scotty3d(piece.member.names[0]));
     if (is_known) continue;
     std::vector<std::string>& names = taken[piece.file];

@@ -21,8 +21,9 @@ struct AddedPiece {
 /// functions stand in the class: the shared headers include the files that this makes. All that
 /// sees these classes in one build must be compiled with the same data.
 ///
-/// In homework for Scotty3D data and functions stand in the classes of include/dropin_scotty3d,
-/// which the worker does not see; and what the student's files define need not be declared.
+/// In homework for Scotty3D data and functions stand in the classes of include/dropin_scotty3d
+/// or include/dropin_scotty3d_2020, which the worker does not see; and what the student's files
+/// define need not be declared.
 class MemberSplice {
  public:
   MemberSplice() = default;

@@ -34,7 +34,7 @@ std::string read_reference(const std::filesystem::path& file) {
 std::optional<Submission> with_stand_ins(Submission submission, const Home& home,
                                          const std::vector<StandIn>& stand_ins) {
   // The reference has other functions than homework for Scotty3D.
-  if (home.reference.empty() || submission.dialect == Dialect::kScotty3d) return std::nullopt;
+  if (home.reference.empty() || is_scotty3d(submission.dialect)) return std::nullopt;
   for (auto* files : {&submission.sources, &submission.headers}) {
     for (SourceFile& file : *files) {
       for (const StandIn& stand_in : stand_ins)

@@ -143,7 +143,7 @@ void UnitCompiler::put_headers(const Workshop& workshop) const {
 void UnitCompiler::add_headers(std::vector<std::string>& arguments) const {
   // First what was handed in: the dropin folder has headers to stand in for the student's.
   arguments.insert(arguments.end(), {"-I.", "-I" + home_.include.string(), "-include"});
-  if (splice_.empty() || submission_.dialect == Dialect::kScotty3d) {
+  if (splice_.empty() || is_scotty3d(submission_.dialect)) {
     arguments.push_back(home_.kit / "precompiled.h");
     if (!splice_.empty()) arguments.emplace_back("-DSCOTTY3D_ADDED");
   } else {
@@ -151,8 +151,11 @@ void UnitCompiler::add_headers(std::vector<std::string>& arguments) const {
                                        "-DMESHEDIT_ADDED", "-DMESHEDIT_ADDED_FUNCTIONS"});
   }
   if (submission_.dialect == Dialect::kMeshedit) return;
-  if (submission_.dialect == Dialect::kScotty3d)
+  // In the course's project these lie beside the student's folder: "../geometry/halfedge.h".
+  if (is_scotty3d(submission_.dialect)) {
     arguments.push_back("-I" + (dropin() / "geometry").string());
+    arguments.push_back("-I" + (home_.include / "dropin_scotty3d" / "lib").string());
+  }
   const bool old = submission_.dialect == Dialect::kCourse2017;
   arguments.insert(arguments.end(), {"-I" + dropin().string(), "-include",
                                      dropin() / (old ? "course_2017.h" : "course.h")});
@@ -160,13 +163,15 @@ void UnitCompiler::add_headers(std::vector<std::string>& arguments) const {
 
 /// Whether members that the student added need a file of their own, behind all headers.
 bool UnitCompiler::adds_later() const {
-  return !splice_.empty() && submission_.dialect != Dialect::kScotty3d;
+  return !splice_.empty() && !is_scotty3d(submission_.dialect);
 }
 
 /// Where the headers by the names of the course are.
 fs::path UnitCompiler::dropin() const {
-  return home_.include /
-         (submission_.dialect == Dialect::kScotty3d ? "dropin_scotty3d" : "dropin");
+  const char* folder = submission_.dialect == Dialect::kScotty3d       ? "dropin_scotty3d"
+                       : submission_.dialect == Dialect::kScotty3d2020 ? "dropin_scotty3d_2020"
+                                                                       : "dropin";
+  return home_.include / folder;
 }
 
 /// @param file  of the unit, or another one that is all of them

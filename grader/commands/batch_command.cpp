@@ -290,11 +290,16 @@ int grade_class(const BatchCommandOptions& options, const Assignment& assignment
   return conclude(results, options, complete);
 }
 
-/// Says which assignment the hand-ins are about, if it is not the standard one.
-std::string recognised_for(const BatchCommandOptions& options, const Roster& roster) {
+std::vector<SubmissionTaker> takers_of(const Roster& roster) {
   std::vector<SubmissionTaker> hand_ins;
   for (const HandIn& hand_in : roster.hand_ins)
     hand_ins.emplace_back([&hand_in] { return take_submission(hand_in, SubmissionRules()); });
+  return hand_ins;
+}
+
+/// Says which assignment the hand-ins are about, if it is not the standard one.
+std::string recognised_for(const BatchCommandOptions& options,
+                           const std::vector<SubmissionTaker>& hand_ins) {
   std::string name = recognise_assignment(options.assignment, hand_ins);
   if (options.assignment.empty() && !name.empty())
     std::cout << "recognised: --assignment " << name << "\n";
@@ -315,8 +320,10 @@ int batch(BatchCommandOptions options) {
                     "first");
   }
   const ClassSource source = open_class(options.submissions, options.roster);
-  options.assignment = recognised_for(options, source.roster);
-  const Assignment assignment = load_assignment(options.assignment);
+  const std::vector<SubmissionTaker> hand_ins = takers_of(source.roster);
+  options.assignment = recognised_for(options, hand_ins);
+  const Assignment assignment =
+      as_class_is_asked(load_assignment(options.assignment), hand_ins);
   choose_exercises(assignment, options.exercises);
   require_hidden_seed(assignment);
   if (folder) return grade_class(options, assignment, source.roster, *folder);

@@ -64,6 +64,11 @@ std::string recognise_assignment(const std::string& named,
 Assignment load_assignment_of(const std::string& named,
                               const std::filesystem::path& submission);
 
+/// What of an assignment a class is asked: where all of it work on Scotty3D of Fall 2020 to
+/// Spring 2022, what these years had.
+Assignment as_class_is_asked(Assignment assignment,
+                             const std::vector<SubmissionTaker>& submissions);
+
 /// What counts must not be graded without the cases that it is to be graded by.
 /// @throws UserError if the assignment has hidden cases whose seed or mesh is not there
 void require_hidden_seed(const Assignment& assignment);

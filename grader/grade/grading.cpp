@@ -90,7 +90,7 @@ std::vector<const ExerciseRubric*> choose_exercises(const Assignment& assignment
 
 Report grade(const Assignment& given, const Submission& submission, const Home& home,
              const std::vector<std::string>& exercises, const Progress& progress) {
-  const Assignment assignment = fit_to_dialect(given, submission.dialect);
+  const Assignment assignment = fit_to_submission(given, submission);
   const std::vector<const ExerciseRubric*> chosen = choose_exercises(assignment, exercises);
   progress("compiling " + plural(submission.sources.size(), "file"));
   const Build build = build_submission(submission, home, assignment.limits);
@@ -116,14 +116,14 @@ Report grade(const Assignment& given, const Submission& submission, const Home& 
 
 Report grade_case(const Assignment& given, const Submission& submission, const Home& home,
                   const Build& build, const Case& asked) {
-  const Assignment assignment = fit_to_dialect(given, submission.dialect);
+  const Assignment assignment = fit_to_submission(given, submission);
   const ExerciseRun run = run_case(assignment, home, {submission, build}, asked);
   return make_report(assignment, submission, build, {run.judged});
 }
 
 Report grade_case_fully(const Assignment& given, const Submission& submission, const Home& home,
                         const Build& build, const Case& asked) {
-  const Assignment assignment = fit_to_dialect(given, submission.dialect);
+  const Assignment assignment = fit_to_submission(given, submission);
   const Candidate candidate{submission, build};
   const ExerciseRubric& rubric = *assignment.find(asked.exercise);
   ExerciseRun run = run_case(assignment, home, candidate, asked);
@@ -137,7 +137,7 @@ Report grade_case_fully(const Assignment& given, const Submission& submission, c
 
 Case shown_case(const Assignment& given, const Submission& submission, const Home& home,
                 const Build& build, const Case& asked) {
-  const Assignment assignment = fit_to_dialect(given, submission.dialect);
+  const Assignment assignment = fit_to_submission(given, submission);
   return run_case(assignment, home, {submission, build}, asked).judged.cases.at(0).asked;
 }
 

@@ -39,7 +39,7 @@ void note_calls_in(const SourceFile& file, const std::vector<std::string>& funct
 
 void note_left_over_calls(const Submission& submission,
                           const std::vector<std::string>& functions, JudgedExercise& exercise) {
-  if (submission.dialect != Dialect::kScotty3d) return;
+  if (!is_scotty3d(submission.dialect)) return;
   for (const SourceFile& file : submission.sources)
     note_calls_in(file, functions, exercise);
   for (const JudgedCase& c : exercise.cases) {

@@ -9,6 +9,7 @@
 #include "grader/judge/findings.h"
 #include "grader/judge/options.h"
 #include "grader/judge/point_compare.h"
+#include "grader/operations/course_rules.h"
 #include "grader/operations/local_operation_list.h"
 #include "grader/operations/picked_element.h"
 
@@ -40,6 +41,12 @@ std::string picked_text(const LocalOperation& operation, Ref picked, Ref partner
   return text;
 }
 
+CourseRules rules_of(const ExerciseRubric& rubric) {
+  return choose_option(rubric, kRulesOption, rules_choices()) == rules_choices()[0]
+             ? CourseRules::kAll
+             : CourseRules::kScotty3d2020;
+}
+
 /// Judges one operation, from a mesh that keeps all rules.
 class LocalStepJudge {
  public:
@@ -50,20 +57,22 @@ class LocalStepJudge {
         before_(before),
         lists_(face_lists_of(before)),
         picked_(picked_by(before, operation, step)),
-        answer_(operation.answer(lists_, picked_)),
+        answer_(as_asked(rules_of(task.rubric), operation, lists_, picked_,
+                         operation.answer(lists_, picked_))),
         step_(step),
         after_(step.after),
         where_(std::move(where)),
         judgement_(judgement),
-        broken_(find_broken_rules(after_, answer_.demand == Demand::kEither
-                                              ? FaceShape::kDegeneratePolygons
-                                              : FaceShape::kPolygons)) {}
+        broken_(find_broken_rules(after_, may_be_degenerate() ? FaceShape::kDegeneratePolygons
+                                                              : FaceShape::kPolygons)) {}
 
   void judge() {
     if (step_.refused != 0) {
       judge_refusal();
     } else if (answer_.demand == Demand::kRefuse) {
       report_not_refused();
+    } else if (answer_.demand == Demand::kOpen) {
+      add_broken_rules();
     } else if (is_unchanged()) {
       report("nothing-done", "what is not refused is done", name(), done_text(),
              "the mesh is the same as before, and " + returned_text() + " was returned",
@@ -75,6 +84,10 @@ class LocalStepJudge {
   }
 
  private:
+  bool may_be_degenerate() const {
+    return answer_.demand == Demand::kEither || answer_.demand == Demand::kOpen;
+  }
+
   /// For a viewer.
   void keep_scene() {
     if (after_.halfedges.size() > kMostSceneHalfedges) return;
@@ -363,7 +376,8 @@ void judge_local_operations(const JudgeTask& task, CaseJudgement& judgement) {
 
 ExerciseJudge local_operation_judge(const ExerciseRubric& rubric,
                                     const LocalOperation& operation) {
-  refuse_unknown_options(rubric, {});
+  refuse_unknown_options(rubric, {kRulesOption});
+  rules_of(rubric);  // whether there are such ones
   ExerciseJudge judge;
   judge.functions = {operation.function};
   judge.judge_steps = [](const JudgeTask& task, Conventions& /*conventions*/,

@@ -6,7 +6,7 @@
 namespace meshgrade {
 
 /// The judge of an exercise that is about one operation.
-/// @throws UserError if the rubric sets an option
+/// @throws UserError if the rubric sets an option that there is not
 ExerciseJudge local_operation_judge(const ExerciseRubric& rubric,
                                     const LocalOperation& operation);
 

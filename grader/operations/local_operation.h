@@ -20,6 +20,7 @@ enum class Demand {
   kMust,    ///< there is one right answer
   kRefuse,  ///< there is none: the mesh stays as it is
   kEither,  ///< the answer is degenerate, or sources disagree: done rightly or refused
+  kOpen,    ///< no course says what is right: any mesh that keeps the rules, or refused
 };
 
 /// The right answer to an operation on one element.

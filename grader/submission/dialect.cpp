@@ -1,6 +1,7 @@
 #include "grader/submission/dialect.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <string>
 
@@ -14,6 +15,7 @@ namespace meshgrade {
 namespace {
 
 using Files = std::vector<SourceFile>;
+using IsOfCourse = std::function<bool(const SourceFile&)>;
 
 std::string all_code(const Files& files) {
   std::string code;
@@ -55,13 +57,14 @@ const char* describe(Dialect dialect) {
     case Dialect::kCourse2020:
     case Dialect::kMeshedit:
     case Dialect::kScotty3d:
+    case Dialect::kScotty3d2020:
       break;
   }
   return "2020 or later";
 }
 
 /// Moves the course's own files from `files` to the end of `taken`.
-void take_course_files(Files& files, Files& taken, bool (*is_of_course)(const SourceFile&)) {
+void take_course_files(Files& files, Files& taken, const IsOfCourse& is_of_course) {
   const auto first = std::stable_partition(
       files.begin(), files.end(), [&](const SourceFile& file) { return !is_of_course(file); });
   std::move(first, files.end(), std::back_inserter(taken));
@@ -108,7 +111,7 @@ Files files_of(const Submission& submission) {
   return files;
 }
 
-void take_all_course_files(Submission& submission, bool (*is_of_course)(const SourceFile&)) {
+void take_all_course_files(Submission& submission, const IsOfCourse& is_of_course) {
   take_course_files(submission.sources, submission.course_sources, is_of_course);
   take_course_files(submission.headers, submission.course_headers, is_of_course);
 }
@@ -119,12 +122,17 @@ void note_course_files(Submission& submission) {
                 "the grader has its own in place of the course's headers");
 }
 
-void settle_scotty3d(Submission& submission) {
-  submission.dialect = Dialect::kScotty3d;
-  take_all_course_files(submission, is_scotty3d_course_file);
+void settle_scotty3d(Submission& submission, Dialect years) {
+  submission.dialect = years;
+  take_all_course_files(
+      submission, [&](const SourceFile& file) { return is_scotty3d_course_file(file, years); });
   submission.notes.emplace_back(
-      "recognised: homework for Carnegie Mellon's Scotty3D (Halfedge_Mesh), Fall 2022 or "
-      "later");
+      years == Dialect::kScotty3d
+          ? "recognised: homework for Carnegie Mellon's Scotty3D (Halfedge_Mesh), Fall 2022 or "
+            "later"
+          : "recognised: homework for Carnegie Mellon's Scotty3D (Halfedge_Mesh), Fall 2020 to "
+            "Spring 2022, or Stanford's Cardinal3D; what these years did not ask for is not "
+            "asked here");
   note_course_files(submission);
 }
 
@@ -133,14 +141,8 @@ void settle_scotty3d(Submission& submission) {
 void settle_dialect(Submission& submission) {
   submission.dialect = Dialect::kMeshedit;
   if (!is_course_homework(files_of(submission))) {
-    if (is_scotty3d_homework(submission.sources)) {
-      settle_scotty3d(submission);
-    } else if (is_earlier_scotty3d_homework(submission.sources)) {
-      submission.notes.emplace_back(
-          "this is homework for Carnegie Mellon's Scotty3D of 2020 to Spring 2022, whose mesh "
-          "is "
-          "another one: it is not graded here, only that of Fall 2022 and later is");
-    }
+    if (const auto years = scotty3d_years_of(submission.sources))
+      settle_scotty3d(submission, *years);
     return;
   }
   take_all_course_files(submission, is_course_file);

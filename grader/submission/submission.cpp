@@ -71,7 +71,7 @@ bool holds_homework(const fs::path& folder) {
     return fs::is_regular_file(fs::symlink_status(folder / name, error));
   };
   return holds("student_code.cpp") || holds("halfedge-local.cpp") ||
-         holds("halfedge-global.cpp");
+         holds("halfedge-global.cpp") || holds("meshedit.cpp") || holds("meshEdit.cpp");
 }
 
 /// The folders in these folders, but for those that hold what is not the student's.
@@ -234,9 +234,23 @@ void note_unknown_archive(const fs::path& file, Submission& submission) {
                              "archives, " + kArchiveKinds + " can be opened");
 }
 
+/// The header that students of Scotty3D add members to lies in another folder of the project
+/// until Spring 2022.
+void add_header_elsewhere(const fs::path& folder, const SubmissionRules& rules,
+                          Submission& submission) {
+  const fs::path geometry = folder.parent_path() / "geometry";
+  std::error_code error;
+  if (folder.filename() != "student" || !is_folder(geometry) ||
+      !fs::is_regular_file(fs::symlink_status(geometry / "halfedge.h", error))) {
+    return;
+  }
+  add_file(geometry / "halfedge.h", rules, submission);
+}
+
 void add_folder(const fs::path& path, const SubmissionRules& rules, int archives,
                 Submission& submission) {
-  const fs::path folder = enter_course_project(unwrap(path));
+  const fs::path top = unwrap(path);
+  const fs::path folder = enter_course_project(top);
   if (archives == 0) submission.folder = folder;
   std::vector<fs::path> found;
   std::vector<fs::path> files = list(folder);
@@ -251,6 +265,7 @@ void add_folder(const fs::path& path, const SubmissionRules& rules, int archives
     if (regular && is_archive_name(file)) found.push_back(file);
     if (regular) note_unknown_archive(file, submission);
   }
+  if (folder != top) add_header_elsewhere(folder, rules, submission);
   add_archives(found, rules, archives, submission);
 }
 
@@ -273,6 +288,10 @@ void add_path(const fs::path& path, const SubmissionRules& rules, int archives,
 bool is_berkeleys(Dialect dialect) {
   return dialect == Dialect::kCourse2016 || dialect == Dialect::kCourse2017 ||
          dialect == Dialect::kCourse2020;
+}
+
+bool is_scotty3d(Dialect dialect) {
+  return dialect == Dialect::kScotty3d || dialect == Dialect::kScotty3d2020;
 }
 
 bool is_source_name(const fs::path& file) {
@@ -302,6 +321,12 @@ Submission find_submission(const fs::path& path, const SubmissionRules& rules) {
   submission.folder = fs::is_directory(path, error) ? path : path.parent_path();
   add_path(path, rules, 0, submission);
   settle_dialect(submission);
+  if (submission.dialect == Dialect::kMeshedit &&
+      is_first_scotty3d_homework(submission.sources)) {
+    throw UserError(path.string() +
+                    ": homework for Carnegie Mellon's Scotty3D of 2015 to 2019 (namespace "
+                    "CMU462) is not graded, only that of Fall 2020 and later is");
+  }
   if (submission.sources.empty()) {
     throw UserError(path.string() + ": no C++ source file (.cpp) to grade here" +
                     (submission.notes.empty() ? "" : "; " + submission.notes[0]));

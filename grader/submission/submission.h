@@ -16,15 +16,17 @@ struct SourceFile {
 
 /// The skeleton that the files were written for.
 enum class Dialect {
-  kMeshedit,    ///< ours
-  kCourse2016,  ///< Berkeley's of 2016, with Bezier functions of another form
-  kCourse2017,  ///< Berkeley's of 2017 to 2019
-  kCourse2020,  ///< Berkeley's since 2020
-  kScotty3d,    ///< Carnegie Mellon's Scotty3D since Fall 2022
+  kMeshedit,      ///< ours
+  kCourse2016,    ///< Berkeley's of 2016, with Bezier functions of another form
+  kCourse2017,    ///< Berkeley's of 2017 to 2019
+  kCourse2020,    ///< Berkeley's since 2020
+  kScotty3d,      ///< Carnegie Mellon's Scotty3D since Fall 2022
+  kScotty3d2020,  ///< Scotty3D of Fall 2020 to Spring 2022, and Stanford's Cardinal3D
 };
 
-/// Whether it is one of Berkeley's.
+/// Whether it is one of Berkeley's, or one of Scotty3D's.
 bool is_berkeleys(Dialect dialect);
+bool is_scotty3d(Dialect dialect);
 
 /// What was handed in, as far as it is looked at: the sources to compile and the headers that
 /// may come along. A copy in memory, so that later changes on disk do not matter.

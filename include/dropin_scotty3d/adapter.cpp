@@ -4,8 +4,8 @@
 
 #include <type_traits>
 
-#include "detail/mesh_bridge.h"
-#include "meshedit/poly_mesh.h"
+#include "detail/calls.h"
+#include "mesh_access.h"
 
 namespace {
 
@@ -29,19 +29,8 @@ void Halfedge_Mesh::catmark_subdivide_helper(
 namespace meshedit {
 namespace {
 
-using detail::scotty3d::MeshBridge;
-
-template <class Result, class TheirResult, class... TheirArguments, class... Arguments>
-std::optional<Handle<Result>> call(
-    PolyMesh& mesh, std::optional<TheirResult> (Halfedge_Mesh::*function)(TheirArguments...),
-    const Arguments&... arguments) {
-  Halfedge_Mesh theirs;
-  MeshBridge bridge(mesh, theirs);
-  const std::optional<TheirResult> returned = (theirs.*function)(bridge.theirs(arguments)...);
-  bridge.write_back();
-  if (!returned) return std::nullopt;
-  return bridge.ours(*returned);
-}
+using detail::scotty3d::MeshAccess;
+using MeshBridge = detail::scotty3d::MeshBridge<MeshAccess>;
 
 /// Whether the vertices are the same, in the same places.
 bool same_vertices(const Halfedge_Mesh& a, const Halfedge_Mesh& b) {
@@ -51,10 +40,7 @@ bool same_vertices(const Halfedge_Mesh& a, const Halfedge_Mesh& b) {
 }
 
 void call_on_mesh(PolyMesh& mesh, void (Halfedge_Mesh::*function)(), const char* /*name*/) {
-  Halfedge_Mesh theirs;
-  MeshBridge bridge(mesh, theirs);
-  (theirs.*function)();
-  bridge.write_back();
+  detail::scotty3d::call_on_mesh<MeshAccess>(mesh, function);
 }
 
 /// @param name  of the function: as it is handed out, it says that it is done and does nothing
@@ -94,14 +80,16 @@ RefinedPositions refine(PolyMesh& mesh, void (Halfedge_Mesh::*function)(), const
 
 }  // namespace
 
-#define SCOTTY3D_FUNCTION(exercise, name, their_name, Result, Argument)     \
-  std::optional<Handle<Result>> PolyMesh::name(Handle<Argument> argument) { \
-    return call<Result>(*this, &Halfedge_Mesh::their_name, argument);       \
+#define SCOTTY3D_FUNCTION(exercise, name, their_name, Result, Argument)                  \
+  std::optional<Handle<Result>> PolyMesh::name(Handle<Argument> argument) {              \
+    return detail::scotty3d::call<MeshAccess, Result>(*this, &Halfedge_Mesh::their_name, \
+                                                      argument);                         \
   }
-#define SCOTTY3D_FUNCTION_OF_TWO(exercise, name, their_name, Result, Argument) \
-  std::optional<Handle<Result>> PolyMesh::name(Handle<Argument> first,         \
-                                               Handle<Argument> second) {      \
-    return call<Result>(*this, &Halfedge_Mesh::their_name, first, second);     \
+#define SCOTTY3D_FUNCTION_OF_TWO(exercise, name, their_name, Result, Argument)           \
+  std::optional<Handle<Result>> PolyMesh::name(Handle<Argument> first,                   \
+                                               Handle<Argument> second) {                \
+    return detail::scotty3d::call<MeshAccess, Result>(*this, &Halfedge_Mesh::their_name, \
+                                                      first, second);                    \
   }
 #define SCOTTY3D_MESH_FUNCTION(exercise, name, their_name, Result)                         \
   Result PolyMesh::name() {                                                                \

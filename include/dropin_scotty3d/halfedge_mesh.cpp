@@ -6,7 +6,9 @@
 #include <stdexcept>
 
 #include "detail/mesh_bridge.h"
+#include "detail/validator.h"
 #include "geometry/halfedge.h"
+#include "mesh_access.h"
 #include "meshedit/halfedge_mesh.h"
 
 #define SCOTTY3D_OURS [[gnu::weak]]
@@ -15,6 +17,7 @@ using meshedit::detail::StepPause;
 using meshedit::detail::scotty3d::ElementList;
 using meshedit::detail::scotty3d::Link;
 using meshedit::detail::scotty3d::LinkState;
+using meshedit::detail::scotty3d::MeshAccess;
 using meshedit::detail::scotty3d::Reference;
 
 namespace {
@@ -404,97 +407,10 @@ SCOTTY3D_OURS std::string Halfedge_Mesh::describe() const {
   return out.str();
 }
 
-namespace {
-
-/// Looks at a mesh that may be broken: a pointer is followed only once it is known to lead to a
-/// live element of this mesh.
-class Validator {
- public:
-  using Broken = std::optional<std::pair<Halfedge_Mesh::ElementCRef, std::string>>;
-
-  explicit Validator(const Halfedge_Mesh& mesh) : mesh_(mesh) {
-    add(mesh.vertices);
-    add(mesh.edges);
-    add(mesh.faces);
-    add(mesh.halfedges);
-  }
-
-  Broken find() const {
-    for (Halfedge_Mesh::HalfedgeCRef h = mesh_.halfedges.begin(); h != mesh_.halfedges.end();
-         ++h) {
-      if (!are_live(*h)) return {{h, "a pointer of the half-edge leads to no live element"}};
-    }
-    for (Halfedge_Mesh::HalfedgeCRef h = mesh_.halfedges.begin(); h != mesh_.halfedges.end();
-         ++h) {
-      const std::string trouble = trouble_of(h);
-      if (!trouble.empty()) return {{h, trouble}};
-    }
-    if (Broken broken = find_lost(mesh_.vertices)) return broken;
-    if (Broken broken = find_lost(mesh_.edges)) return broken;
-    return find_lost(mesh_.faces);
-  }
-
- private:
-  template <class T>
-  void add(const ElementList<T>& list) {
-    for (Reference<const T> element = list.begin(); element != list.end(); ++element)
-      live_.insert(element.link());
-  }
-
-  template <class T>
-  bool is_live(const Reference<T>& reference) const {
-    return live_.count(reference.link()) != 0;
-  }
-
-  bool are_live(const Halfedge_Mesh::Halfedge& h) const {
-    return is_live(h.twin) && is_live(h.next) && is_live(h.vertex) && is_live(h.edge) &&
-           is_live(h.face);
-  }
-
-  static std::string trouble_of(Halfedge_Mesh::HalfedgeCRef h) {
-    if (h->twin == h || h->twin->twin != h) return "the twin of its twin is another one";
-    if (h->twin->edge != h->edge) return "its twin has another edge";
-    if (h->next->face != h->face) return "the next one has another face";
-    if (h->next->vertex != h->twin->vertex) return "the next one does not start where it ends";
-    if (h->face->boundary && h->twin->face->boundary) return "no face is on either side";
-    return {};
-  }
-
-  /// An element whose half-edge does not name it.
-  template <class T>
-  Broken find_lost(const ElementList<T>& list) const {
-    for (Reference<const T> element = list.begin(); element != list.end(); ++element) {
-      if (!is_live(element->halfedge))
-        return {{element, "its half-edge leads to no live element"}};
-      if (owner_of(element->halfedge, element) != element)
-        return {{element, "its half-edge belongs to another element"}};
-    }
-    return std::nullopt;
-  }
-
-  static Halfedge_Mesh::VertexCRef owner_of(Halfedge_Mesh::HalfedgeCRef h,
-                                            Halfedge_Mesh::VertexCRef /*kind*/) {
-    return h->vertex;
-  }
-  static Halfedge_Mesh::EdgeCRef owner_of(Halfedge_Mesh::HalfedgeCRef h,
-                                          Halfedge_Mesh::EdgeCRef /*kind*/) {
-    return h->edge;
-  }
-  static Halfedge_Mesh::FaceCRef owner_of(Halfedge_Mesh::HalfedgeCRef h,
-                                          Halfedge_Mesh::FaceCRef /*kind*/) {
-    return h->face;
-  }
-
-  const Halfedge_Mesh& mesh_;
-  std::unordered_set<const Link*> live_;
-};
-
-}  // namespace
-
 SCOTTY3D_OURS std::optional<std::pair<Halfedge_Mesh::ElementCRef, std::string>>
 Halfedge_Mesh::validate() const {
   const StepPause pause;
-  return Validator(*this).find();
+  return meshedit::detail::scotty3d::Validator<MeshAccess, const Halfedge_Mesh>(*this).find();
 }
 
 SCOTTY3D_OURS Halfedge_Mesh Halfedge_Mesh::from_indexed_faces(
@@ -509,7 +425,7 @@ SCOTTY3D_OURS Halfedge_Mesh Halfedge_Mesh::from_indexed_faces(
   meshedit::HalfedgeMesh ours;
   ours.build(polygons, points);
   Halfedge_Mesh mesh;
-  const meshedit::detail::scotty3d::MeshBridge bridge(ours, mesh);
+  const meshedit::detail::scotty3d::MeshBridge<MeshAccess> bridge(ours, mesh);
   return mesh;
 }
 

@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "dropin_scotty3d/mesh_access.h"
 #include "grader/base/wire.h"
 #include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
@@ -14,7 +15,8 @@
 namespace meshgrade {
 namespace {
 
-using meshedit::detail::scotty3d::MeshBridge;
+using MeshBridge =
+    meshedit::detail::scotty3d::MeshBridge<meshedit::detail::scotty3d::MeshAccess>;
 
 /// Two squares side by side; positions that float cannot hold.
 PolygonMesh two_squares() {

@@ -13,6 +13,7 @@
 
 #include "grader/commands/context.h"
 #include "grader/commands/kept_work.h"
+#include "grader/grade/dialect_fit.h"
 #include "grader/grade/grading.h"
 #include "grader/report/terminal_report.h"
 
@@ -101,15 +102,18 @@ TEST_P(RightScotty3dHomework, PassesInAllThatItHas) {
 
 INSTANTIATE_TEST_SUITE_P(
     Years, RightScotty3dHomework,
-    testing::Values(RightFolder{"of_2022",
-                                {"face_collapse", "vertex_bevel", "edge_bevel", "face_remove",
-                                 "edge_weld", "extrude_positions", "bevel_positions",
-                                 "triangulation", "linear_subdivision", "catmull_clark",
-                                 "loop_refinement"}},
-                    RightFolder{"of_2024", {}},
-                    RightFolder{"of_2026",
-                                {"face_collapse", "edge_bevel", "face_remove", "edge_weld",
-                                 "bevel_positions", "linear_subdivision", "loop_refinement"}}),
+    testing::Values(
+        RightFolder{"of_2022",
+                    {"face_collapse", "vertex_bevel", "edge_bevel", "face_remove", "edge_weld",
+                     "extrude_positions", "bevel_positions", "triangulation",
+                     "linear_subdivision", "catmull_clark", "loop_refinement"}},
+        RightFolder{"of_2024", {}}, RightFolder{"of_2020", {}},
+        RightFolder{"of_spring_2022",
+                    {"edge_dissolve", "vertex_dissolve", "face_extrude", "face_collapse",
+                     "vertex_bevel", "edge_bevel", "catmull_clark", "loop_refinement"}},
+        RightFolder{"of_2026",
+                    {"face_collapse", "edge_bevel", "face_remove", "edge_weld",
+                     "bevel_positions", "linear_subdivision", "loop_refinement"}}),
     [](const auto& tested) { return std::string(tested.param.folder); });
 
 TEST(Scotty3dHomework, AsHandedOutIsNotImplementedAndCompilesWhole) {
@@ -121,6 +125,34 @@ TEST(Scotty3dHomework, AsHandedOutIsNotImplementedAndCompilesWhole) {
   for (const FileReport& file : report.files)
     EXPECT_TRUE(file.compiled) << file.name << ": " << file.messages;
   EXPECT_EQ(report.notes.size(), 1U);
+}
+
+TEST(Scotty3dHomework, OfEarlierYearsAsHandedOutIsNotImplementedAndCompilesWhole) {
+  const Report report = grade_scotty3d(scotty3d_hand_in("untouched_2020"));
+  EXPECT_EQ(report.points, 0.0);
+  for (const auto& [exercise, verdict] : scotty3d_verdicts(report))
+    EXPECT_EQ(verdict, "not implemented") << exercise;
+  for (const FileReport& file : report.files)
+    EXPECT_TRUE(file.compiled) << file.name << ": " << file.messages;
+  ASSERT_EQ(report.notes.size(), 1U);
+  EXPECT_TRUE(has_scotty3d_note(report, "Fall 2020 to Spring 2022"));
+}
+
+TEST(Scotty3dHomework, OfEarlierYearsIsAskedForWhatItsYearHad) {
+  const Assignment given = load_assignment("polygon_meshes");
+  const Assignment early = fit_to_submission(given, scotty3d_hand_in("of_2020"));
+  for (const char* later :
+       {"vertex_inset", "face_remove", "edge_weld", "extrude_positions", "bevel_positions"}) {
+    EXPECT_EQ(early.find(later), nullptr) << later;
+    EXPECT_NE(given.find(later), nullptr) << later;
+  }
+  EXPECT_EQ(early.find("catmull_clark")->groups.size(), 3U);
+  EXPECT_EQ(early.find("loop_refinement")->groups.size(), 3U);
+  EXPECT_EQ(early.find("linear_subdivision")->groups.size(), 4U);
+  const Assignment spring = fit_to_submission(given, scotty3d_hand_in("of_spring_2022"));
+  EXPECT_NE(spring.find("vertex_inset"), nullptr);
+  const Assignment again = fit_to_submission(spring, scotty3d_hand_in("of_spring_2022"));
+  EXPECT_EQ(again.points(), spring.points());
 }
 
 TEST(Scotty3dHomework, IsToldInTheNamesOfItsCourse) {
@@ -261,6 +293,70 @@ const Scotty3dMistake kScotty3dMistakes[] = {
      "VertexRef m = emplace_vertex();\n\tassert(sides.size() == 4);\n\tm->position = "
      "f->center();",
      "assertion"},
+    // Until Spring 2022.
+    {"EarlyBoundaryEdgeIsNotRefused", "edge_flip_polygon", "of_2020",
+     "flip_edge(Halfedge_Mesh::EdgeRef e) {\n    if(e->on_boundary()) return std::nullopt;",
+     "flip_edge(Halfedge_Mesh::EdgeRef e) {", "not-refused"},
+    {"EarlyReturnsTheEdgeWhereItRefuses", "edge_flip_polygon", "of_2020",
+     "flip_edge(Halfedge_Mesh::EdgeRef e) {\n    if(e->on_boundary()) return std::nullopt;",
+     "flip_edge(Halfedge_Mesh::EdgeRef e) {\n    if(e->on_boundary()) return e;",
+     "not-refused"},
+    {"EarlyRightForTrianglesOnly", "edge_flip_polygon", "of_2020",
+     "HalfedgeRef hl = before(h), tl = before(t);\n    VertexRef a",
+     "HalfedgeRef hl = h2, tl = t2;\n    VertexRef a", "twin-opposite"},
+    {"EarlyEndOfTwoEdgesIsNotRefused", "edge_flip_polygon", "of_spring_2022",
+     "for(HalfedgeRef s = h->next()->next(); s != h; s = s->next()) if(s->vertex() == from) "
+     "return std::nullopt;",
+     "", "not-refused"},
+    {"EarlyRefusesFacesThatAreNotFlat", "edge_flip_polygon", "of_2020",
+     "FaceRef f = h->face(), g = t->face();\n    for(auto k : sides_of(f)) if(k->vertex() == "
+     "d)",
+     "FaceRef f = h->face(), g = t->face();\n    if((f->normal() - g->normal()).norm() > 0.1f) "
+     "return std::nullopt;\n    for(auto k : sides_of(f)) if(k->vertex() == d)",
+     "refused"},
+    {"EarlyTakesTheAnchorToBeInside", "edge_split_polygon", "of_2020",
+     "if(h->is_boundary()) h = h->twin();", "", "refused"},
+    {"EarlyHasNoBranchForTheBoundary", "edge_split_polygon", "of_spring_2022",
+     "if(s->is_boundary()) continue;", "", "counts"},
+    {"EarlyJoinsTheMiddleToEveryCorner", "edge_split_polygon", "of_spring_2022",
+     "connect(s, s->next()->next());",
+     "for(HalfedgeRef k = connect(s, s->next()->next())->halfedge(); k->face()->degree() > "
+     "3;)\n"
+     "            k = connect(k, k->next()->next())->halfedge();",
+     "counts"},
+    {"EarlyReadsThePointerOfANewElement", "edge_split_polygon", "of_2020",
+     "m->pos = e->center();\n    EdgeRef e1",
+     "m->pos = m->halfedge()->edge()->center();\n    "
+     "EdgeRef e1",
+     "unset-handle"},
+    {"EarlyFigureOfEight", "edge_collapse", "of_spring_2022",
+     "if(a->on_boundary() && b->on_boundary() && !e->on_boundary()) return {};", "",
+     "not-refused"},
+    {"EarlyApexKeepsAnErasedHalfedge", "edge_collapse", "of_2020",
+     "        xt->vertex()->halfedge() = xt;\n        a->halfedge() = yt;",
+     "        a->halfedge() = yt;", "live-pointer"},
+    {"EarlyReturnsTheErasedVertex", "edge_collapse", "of_2020", "    erase(b);\n    return a;",
+     "    erase(b);\n    return b;", "returned"},
+    {"EarlyForgetsToErase", "edge_collapse", "of_2020", "    erase(e);\n    erase(b);",
+     "    erase(b);", "counts"},
+    {"EarlyUsesWhatIsGone", "edge_collapse", "of_2020", "    erase(b);\n    return a;",
+     "    erase(b);\n    do_erase();\n    a->pos = 0.5f * (a->pos + b->pos);\n    return a;",
+     "deleted-handle"},
+    {"EarlyEndlessWalk", "edge_collapse", "of_2020", "while(p->next() != h) p = p->next();",
+     "while(p->next() != h->twin()->twin()->next()->twin()) p = p->next();", "out-of-steps"},
+    {"EarlyTwoSidesAreLeft", "face_collapse", "of_2020", "gone.push_back(g);", "", "polygon"},
+    {"EarlyBevelsAVertexOfTwoEdges", "vertex_bevel", "of_2020",
+     "if(spokes.size() < 3) return std::nullopt;", "", "not-refused"},
+    {"EarlyMovesTheCopyAtOnce", "face_extrude", "of_2020", "v.back()->pos = s->vertex()->pos;",
+     "v.back()->pos = 0.9f * s->vertex()->pos + 0.1f * f->center();", "new-position"},
+    {"EarlyRightUpToQuads", "triangulation", "of_2020", "i + 2 < sides.size()",
+     "i + 2 < sides.size() && i < 2", "triangles"},
+    {"EarlyMeanOfNewEdgePoints", "catmull_clark", "of_2020", "R += s->edge()->center() / n;",
+     "R += s->edge()->new_pos / n;", "position"},
+    {"EarlyTheSameFaceTwice", "catmull_clark", "of_2020", "h->twin()->face()->new_pos) / 4.0f",
+     "h->face()->new_pos) / 4.0f", "position"},
+    {"EarlyCornersOfThreeAreNotSpecial", "loop_refinement", "of_2020",
+     "v->degree() == 3 ? 3.0f / 16.0f : ", "", "position"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Mistakes, WrongScotty3dHomework, testing::ValuesIn(kScotty3dMistakes),
@@ -306,6 +402,27 @@ TEST(Scotty3dHomework, WithMembersOfItsOwnIsToldThatTheyWereTakenOver) {
   const Report report = grade_scotty3d(scotty3d_hand_in("of_2024"), {"vertex_inset"});
   EXPECT_TRUE(has_scotty3d_note(report, "halfedge.h holds members of your own"));
   EXPECT_TRUE(has_scotty3d_note(report, "Vertex::mark"));
+}
+
+TEST(Scotty3dHomework, OfEarlierYearsMayHaveMembersOfItsOwn) {
+  const Report report =
+      grade_scotty3d(scotty3d_hand_in("of_spring_2022"), {"edge_split_polygon"});
+  EXPECT_EQ(report.exercises.at(0).verdict, Verdict::kPassed);
+  EXPECT_TRUE(
+      has_scotty3d_note(report,
+                        "halfedge.h holds members of your own, which are taken over for this: "
+                        "Halfedge::prev, Halfedge_Mesh::connect, Vertex::outgoing"));
+}
+
+TEST(Scotty3dHomework, OfEarlierYearsIsToldWhatWasLeftOver) {
+  Submission submission = scotty3d_hand_in("of_2020");
+  replace_in_file(submission, "    f->halfedge() = hl;\n",
+                  "    f->halfedge() = hl;\n"
+                  "    validate();\n"
+                  "    std::cout << \"erased\\n\";\n");
+  const ExerciseReport report = grade_scotty3d(submission, {"edge_dissolve"}).exercises.at(0);
+  EXPECT_EQ(report.points, report.max_points);
+  EXPECT_EQ(report.notes.size(), 2U);
 }
 
 TEST(Scotty3dHomework, WhoseHeaderIsMissingIsNotJudgedWhereItIsNeeded) {

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include "grader/base/errors.h"
 #include "grader/base/process.h"
 #include "grader/commands/context.h"
 #include "grader/submission/dialect.h"
@@ -53,10 +54,33 @@ std::vector<std::string> names_and_texts(const std::vector<SourceFile>& files) {
   return all;
 }
 
+/// The same until Spring 2022, when all homework of the course lay in one folder, and the
+/// header that students add members to in another one.
+void put_into_project_of_2020(const fs::path& homework, const fs::path& project) {
+  const fs::path student = project / "src" / "student";
+  fs::create_directories(student);
+  for (const char* name : {"bbox.cpp", "bvh.inl", "camera.cpp", "debug.cpp", "pathtracer.cpp",
+                           "samplers.cpp", "shapes.cpp", "skeleton.cpp", "tri_mesh.cpp"}) {
+    write(student / name, "#include \"../rays/pathtracer.h\"\nint of_course() { return 1; }\n");
+  }
+  write(student / "debug.h",
+        "#pragma once\nstruct Debug_Data { bool normal_colors = false; };\n"
+        "extern Debug_Data debug_data;\n");
+  write(project / "src" / "geometry" / "halfedge.h", "#pragma once\nclass Of_Course;\n");
+  write(project / "src" / "geometry" / "halfedge.cpp", "#include \"halfedge.h\"\n");
+  write(project / "src" / "lib" / "mathlib.h", "#pragma once\n");
+  write(project / "src" / "main.cpp", "int main() {}\n");
+  for (const auto& file : fs::directory_iterator(homework)) {
+    const fs::path folder =
+        file.path().extension() == ".h" ? project / "src" / "geometry" : student;
+    fs::copy(file.path(), folder, fs::copy_options::overwrite_existing);
+  }
+}
+
 void expect_same_scotty3d_work(const Submission& alone, const Submission& whole) {
-  EXPECT_EQ(whole.dialect, Dialect::kScotty3d);
+  EXPECT_EQ(whole.dialect, alone.dialect);
+  EXPECT_TRUE(is_scotty3d(whole.dialect));
   EXPECT_EQ(names_and_texts(whole.sources), names_and_texts(alone.sources));
-  EXPECT_EQ(names_and_texts(whole.headers), names_and_texts(alone.headers));
 }
 
 class Scotty3dProject : public testing::TestWithParam<std::string> {};
@@ -85,6 +109,41 @@ INSTANTIATE_TEST_SUITE_P(Years, Scotty3dProject,
                          testing::Values("of_2022", "of_2024", "of_2026", "untouched"),
                          [](const auto& tested) { return tested.param; });
 
+class Scotty3dProjectOf2020 : public testing::TestWithParam<std::string> {};
+
+TEST_P(Scotty3dProjectOf2020, IsTheHomeworkInItWithItsHeader) {
+  const ScratchFolder folder;
+  put_into_project_of_2020(kScotty3dHomework / GetParam(), folder.path());
+  const Submission alone = find_submission(kScotty3dHomework / GetParam(), SubmissionRules());
+  const Submission whole = find_submission(folder.path(), SubmissionRules());
+  EXPECT_EQ(whole.dialect, Dialect::kScotty3d2020);
+  expect_same_scotty3d_work(alone, whole);
+  ASSERT_EQ(whole.course_headers.size(), 1U);
+  EXPECT_EQ(whole.course_headers[0].name, "halfedge.h");
+  if (!alone.course_headers.empty()) {
+    EXPECT_EQ(whole.course_headers[0].text, alone.course_headers[0].text);
+  }
+  ASSERT_EQ(whole.headers.size(), 1U);
+  EXPECT_EQ(whole.headers[0].name, "debug.h");
+}
+
+TEST_P(Scotty3dProjectOf2020, MayLieInAnArchive) {
+  const ScratchFolder folder;
+  put_into_project_of_2020(kScotty3dHomework / GetParam(), folder.path() / "Cardinal3D");
+  const ScratchFolder hand_in;
+  const std::string archive = (hand_in.path() / "a2.tar.gz").string();
+  ASSERT_EQ(
+      std::system(
+          ("tar -czf " + archive + " -C " + folder.path().string() + " Cardinal3D").c_str()),
+      0);
+  expect_same_scotty3d_work(find_submission(kScotty3dHomework / GetParam(), SubmissionRules()),
+                            find_submission(archive, SubmissionRules()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Years, Scotty3dProjectOf2020,
+                         testing::Values("of_2020", "of_spring_2022", "untouched_2020"),
+                         [](const auto& tested) { return tested.param; });
+
 TEST(Scotty3dProject, LeavesOutTheCoursesFilesInOneLine) {
   const ScratchFolder folder;
   put_into_scotty3d_project(kScotty3dHomework / "untouched", folder.path());
@@ -96,11 +155,23 @@ TEST(Scotty3dProject, LeavesOutTheCoursesFilesInOneLine) {
 }
 
 TEST(Scotty3dFiles, ASourceWithAGradedFunctionIsTheStudentsWhateverItsName) {
-  EXPECT_TRUE(is_scotty3d_course_file({"halfedge.cpp", "void Halfedge_Mesh::swap() {}\n"}));
-  EXPECT_FALSE(is_scotty3d_course_file({"halfedge.cpp",
-                                        "std::optional<Halfedge_Mesh::EdgeRef> "
-                                        "Halfedge_Mesh::flip_edge(EdgeRef e) { return e; }"}));
-  EXPECT_FALSE(is_scotty3d_course_file({"my_helpers.cpp", "int n;\n"}));
+  for (const Dialect years : {Dialect::kScotty3d, Dialect::kScotty3d2020}) {
+    const auto is_of_course = [&](const SourceFile& file) {
+      return is_scotty3d_course_file(file, years);
+    };
+    EXPECT_TRUE(is_of_course({"halfedge.cpp", "void Halfedge_Mesh::swap() {}\n"}));
+    EXPECT_FALSE(is_of_course({"halfedge.cpp",
+                               "std::optional<Halfedge_Mesh::EdgeRef> "
+                               "Halfedge_Mesh::flip_edge(EdgeRef e) { return e; }"}));
+    EXPECT_FALSE(is_of_course({"my_helpers.cpp", "int n;\n"}));
+    EXPECT_FALSE(is_of_course({"debug.h", "int n;\n"}));
+  }
+}
+
+TEST(Scotty3dFiles, AFileOfAnotherTaskIsTheCoursesWhereAllLieInOneFolder) {
+  const SourceFile shapes{"shapes.cpp", "int n;\n"};
+  EXPECT_TRUE(is_scotty3d_course_file(shapes, Dialect::kScotty3d2020));
+  EXPECT_FALSE(is_scotty3d_course_file(shapes, Dialect::kScotty3d));
 }
 
 Dialect dialect_of(const std::string& name, const std::string& text) {
@@ -120,29 +191,52 @@ TEST(Scotty3dDialect, IsKnownByNameOrByItsFunctions) {
             Dialect::kMeshedit);
 }
 
-TEST(Scotty3dDialect, OfEarlierYearsIsToldThatItIsNotGraded) {
-  Submission submission;
-  submission.sources = {{"meshedit.cpp",
-                         "std::optional<Halfedge_Mesh::EdgeRef> Halfedge_Mesh::flip_edge("
-                         "Halfedge_Mesh::EdgeRef e) { e->halfedge() = e->halfedge()->twin(); "
-                         "return e; }"}};
-  settle_dialect(submission);
-  ASSERT_EQ(submission.notes.size(), 1U);
-  EXPECT_NE(submission.notes[0].find("2020 to Spring 2022"), std::string::npos);
+TEST(Scotty3dDialect, OfEarlierYearsIsKnownByItsPointersOrItsNames) {
+  const std::string flip =
+      "std::optional<Halfedge_Mesh::EdgeRef> Halfedge_Mesh::flip_edge(Halfedge_Mesh::EdgeRef "
+      "e) ";
+  EXPECT_EQ(dialect_of("meshedit.cpp", flip + "{ HalfedgeRef h = e->halfedge(); return e; }"),
+            Dialect::kScotty3d2020);
+  EXPECT_EQ(dialect_of("mine.cpp", flip + "{ e->_halfedge->_next = e->_halfedge; return e; }"),
+            Dialect::kScotty3d2020);
+  EXPECT_EQ(dialect_of("meshedit.cpp",
+                       "std::optional<Halfedge_Mesh::FaceRef> "
+                       "Halfedge_Mesh::bevel_face(FaceRef f) { return std::nullopt; }"),
+            Dialect::kScotty3d2020);
+  EXPECT_EQ(dialect_of("mine.cpp",
+                       flip + "{ HalfedgeRef h = emplace_halfedge(); h->next = h; return e; } "
+                              "// h->next()"),
+            Dialect::kScotty3d);
 }
 
-TEST(Scotty3dDialect, OfEarlierYearsIsAnotherOne) {
-  EXPECT_NE(
-      dialect_of("meshedit.cpp",
-                 "std::optional<Halfedge_Mesh::EdgeRef> Halfedge_Mesh::flip_edge(Halfedge_"
-                 "Mesh::EdgeRef e) { HalfedgeRef h = e->halfedge(); h->next() = h->twin(); "
-                 "return e; }"),
-      Dialect::kScotty3d);
+TEST(Scotty3dDialect, IsNotToldFromTheNameMeshedit) {
+  EXPECT_EQ(dialect_of("meshedit.cpp",
+                       "#include \"meshedit/meshedit.h\"\nnamespace meshedit {\n"
+                       "EdgeIter HalfedgeMesh::flipEdge(EdgeIter e) { return "
+                       "e->halfedge()->next()->edge(); }\n}\n"),
+            Dialect::kMeshedit);
+}
+
+TEST(Scotty3dDialect, OfTheFirstYearsIsRefusedInOneSentence) {
+  const ScratchFolder folder;
+  write(folder.path() / "src" / "meshEdit.cpp",
+        "#include \"halfEdgeMesh.h\"\nnamespace CMU462 {\n"
+        "EdgeIter HalfedgeMesh::flipEdge(EdgeIter e0) { return e0; }\n}\n");
+  write(folder.path() / "CMakeLists.txt", "project(Scotty3D)\n");
+  try {
+    find_submission(folder.path(), SubmissionRules());
+    ADD_FAILURE() << "it was taken";
+  } catch (const UserError& error) {
+    EXPECT_NE(std::string(error.what()).find("Scotty3D of 2015 to 2019"), std::string::npos);
+  }
 }
 
 TEST(Scotty3dDialect, IsOfTheSecondAssignment) {
   EXPECT_EQ(load_assignment_of("", kScotty3dHomework / "of_2022").folder, "polygon_meshes");
   EXPECT_EQ(load_assignment_of("", kScotty3dHomework / "untouched").folder, "polygon_meshes");
+  EXPECT_EQ(load_assignment_of("", kScotty3dHomework / "of_2020").folder, "polygon_meshes");
+  EXPECT_EQ(load_assignment_of("", kScotty3dHomework / "untouched_2020").folder,
+            "polygon_meshes");
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 // What is erased goes to a list of free elements at once and stays readable and writable. A new
 // element takes the place of the one that was freed first, if there is any. So a reference that
 // was kept may lead to another element later, and `++` on one to an erased element goes on
-// among the free ones. Homework relies on all of this.
+// among the free ones. Homework relies on all of this. Not so in Fall 2020 to Spring 2022,
+// where the elements of a list are freed as those of any: using one is a fault then
+// (kStaysWhenErased of the element), and no place is taken again, so that it is noticed.
 
 #include <cstddef>
 #include <cstdint>
@@ -122,6 +124,8 @@ class Reference {
   void check() const {
     if (link_ == nullptr) raise_fault(FaultKind::kUnsetHandle, Plain::kReferenceName);
     if (link_->state == LinkState::kEnd) refuse_end();
+    if (!Plain::kStaysWhenErased && link_->state == LinkState::kErased)
+      raise_fault(FaultKind::kDeletedHandle, Plain::kReferenceName);
     count_step(Plain::kReferenceName);
   }
 
@@ -255,7 +259,7 @@ class ElementList {
 
   Node<T>* take_node() {
     Link* first = memory_->free.next;
-    if (first != &memory_->free) {
+    if (T::kStaysWhenErased && first != &memory_->free) {
       first->leave_list();
       return static_cast<Node<T>*>(first);
     }

@@ -1,7 +1,9 @@
 #pragma once
 
 // Makes a Halfedge_Mesh of one of our meshes, and writes back what became of it: so the grader
-// sees what a function of the homework did as if one of ours had done it.
+// sees what a function of the homework did as if one of ours had done it. Homework of different
+// years has different meshes; mesh_access.h of each says where its elements keep what they
+// hold.
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +11,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "../geometry/halfedge.h"
+#include "../lib/vec3.h"
+#include "element_list.h"
 #include "meshedit/detail/inspector.h"
 #include "meshedit/halfedge_mesh.h"
 
@@ -113,46 +116,202 @@ class Pairing {
   std::unordered_map<const Link*, Ours*> ours_;
 };
 
+/// A position that floats cannot hold stays what it is until it is changed.
+inline void write_position(const Vec3& from, Vector3D& to) {
+  const Vec3 known = to_floats(to);
+  const bool is_same = known.x == from.x && known.y == from.y && known.z == from.z;
+  if (!is_same) to = Vector3D(from.x, from.y, from.z);
+}
+
+/// Elements of a mesh that no case has: where pointers into other meshes lead.
+struct StrayElements {
+  StrayElements() {
+    const StepPause pause;
+    vertex = elementAddress(mesh.newVertex());
+    edge = elementAddress(mesh.newEdge());
+    face = elementAddress(mesh.newFace());
+    halfedge = elementAddress(mesh.newHalfedge());
+  }
+
+  HalfedgeMesh mesh;
+  Vertex* vertex;
+  Edge* edge;
+  Face* face;
+  Halfedge* halfedge;
+};
+
+inline StrayElements& strays() {
+  static StrayElements elements;
+  return elements;
+}
+
 /// A Halfedge_Mesh with the elements of one of our meshes, and the way back. Both meshes have
 /// to live as long.
+/// @tparam Access  of the year: see mesh_access.h
+template <class Access>
 class MeshBridge {
  public:
-  /// @param theirs  an empty mesh
-  MeshBridge(HalfedgeMesh& ours, Halfedge_Mesh& theirs);
+  using Mesh = typename Access::Mesh;
+  using TheirVertex = typename Mesh::Vertex;
+  using TheirEdge = typename Mesh::Edge;
+  using TheirFace = typename Mesh::Face;
+  using TheirHalfedge = typename Mesh::Halfedge;
 
-  Reference<Halfedge_Mesh::Vertex> theirs(const VertexIter& v) const {
+  /// @param theirs  an empty mesh
+  MeshBridge(HalfedgeMesh& ours, Mesh& theirs)
+      : mesh_(ours),
+        vertices_(theirs.vertices),
+        edges_(theirs.edges),
+        faces_(theirs.faces),
+        halfedges_(theirs.halfedges) {
+    const StepPause pause;
+    vertices_.fill(Inspector::vertices(mesh_), [&] { return Access::make_vertex(theirs); });
+    faces_.fill(Inspector::faces(mesh_), [&] { return Access::make_face(theirs, false); });
+    faces_.fill(Inspector::boundaries(mesh_), [&] { return Access::make_face(theirs, true); });
+    edges_.fill(Inspector::edges(mesh_), [&] { return Access::make_edge(theirs); });
+    halfedges_.fill(Inspector::halfedges(mesh_), [&] { return Access::make_halfedge(theirs); });
+    fill_pointers();
+  }
+
+  Reference<TheirVertex> theirs(const VertexIter& v) const {
     return vertices_.theirs(Inspector::address(v));
   }
-  Reference<Halfedge_Mesh::Edge> theirs(const EdgeIter& e) const {
+  Reference<TheirEdge> theirs(const EdgeIter& e) const {
     return edges_.theirs(Inspector::address(e));
   }
-  Reference<Halfedge_Mesh::Face> theirs(const FaceIter& f) const {
+  Reference<TheirFace> theirs(const FaceIter& f) const {
     return faces_.theirs(Inspector::address(f));
   }
 
   /// Makes our mesh what theirs has become. What lives on keeps its place, and exactly its
   /// position if that was not changed; what is new comes last; what was erased is deleted.
-  void write_back();
+  void write_back() {
+    const StepPause pause;
+    settle_vertices();
+    settle_edges();
+    settle_faces();
+    settle_halfedges();
+    write_pointers();
+  }
 
   /// After write_back().
-  VertexIter ours(const Reference<const Halfedge_Mesh::Vertex>& v) const;
-  EdgeIter ours(const Reference<const Halfedge_Mesh::Edge>& e) const;
-  FaceIter ours(const Reference<const Halfedge_Mesh::Face>& f) const;
+  VertexIter ours(const Reference<const TheirVertex>& v) const {
+    return vertices_.ours(v, strays().vertex);
+  }
+  EdgeIter ours(const Reference<const TheirEdge>& e) const {
+    return edges_.ours(e, strays().edge);
+  }
+  FaceIter ours(const Reference<const TheirFace>& f) const {
+    return faces_.ours(f, strays().face);
+  }
 
  private:
-  HalfedgeIter ours(const Reference<const Halfedge_Mesh::Halfedge>& h) const;
-  void fill_pointers();
-  void settle_vertices();
-  void settle_edges();
-  void settle_faces();
-  void settle_halfedges();
-  void write_pointers();
+  HalfedgeIter ours(const Reference<const TheirHalfedge>& h) const {
+    return halfedges_.ours(h, strays().halfedge);
+  }
+
+  void fill_pointers() {
+    const auto halfedge_of = [&](const auto& element) {
+      return halfedges_.theirs(Inspector::halfedge(element));
+    };
+    vertices_.for_each([&](const Vertex& from, TheirVertex& to) {
+      Access::position(to) = to_floats(from.position);
+      Access::halfedge(to) = halfedge_of(from);
+    });
+    edges_.for_each(
+        [&](const Edge& from, auto& to) { Access::halfedge(to) = halfedge_of(from); });
+    faces_.for_each(
+        [&](const Face& from, auto& to) { Access::halfedge(to) = halfedge_of(from); });
+    halfedges_.for_each([&](const Halfedge& from, TheirHalfedge& to) {
+      Access::connect(
+          to, halfedges_.theirs(Inspector::twin(from)),
+          halfedges_.theirs(Inspector::next(from)), vertices_.theirs(Inspector::vertex(from)),
+          edges_.theirs(Inspector::edge(from)), faces_.theirs(Inspector::face(from)));
+    });
+  }
+
+  void settle_vertices() {
+    const auto remove = [&](Vertex* v) { mesh_.deleteVertex(Inspector::handle(v)); };
+    vertices_.settle(
+        [](Vertex* v, const TheirVertex& from) {
+          write_position(Access::position(from), v->position);
+          return v;
+        },
+        remove,
+        [&](const TheirVertex& from, bool is_live) {
+          Vertex* v = elementAddress(mesh_.newVertex());
+          const Vec3 at = Access::position(from);
+          v->position = Vector3D(at.x, at.y, at.z);
+          if (!is_live) remove(v);
+          return v;
+        });
+  }
+
+  void settle_edges() {
+    const auto remove = [&](Edge* e) { mesh_.deleteEdge(Inspector::handle(e)); };
+    edges_.settle([](Edge* e, const TheirEdge& /*from*/) { return e; }, remove,
+                  [&](const TheirEdge& /*from*/, bool is_live) {
+                    Edge* e = elementAddress(mesh_.newEdge());
+                    if (!is_live) remove(e);
+                    return e;
+                  });
+  }
+
+  /// Ours are in two lists: a face that has become a boundary, or the other way, is another
+  /// one.
+  void settle_faces() {
+    const auto remove = [&](Face* f) {
+      f->isBoundary() ? mesh_.deleteBoundary(Inspector::handle(f))
+                      : mesh_.deleteFace(Inspector::handle(f));
+    };
+    const auto make = [&](bool boundary) {
+      return elementAddress(boundary ? mesh_.newBoundary() : mesh_.newFace());
+    };
+    faces_.settle(
+        [&](Face* f, const TheirFace& from) {
+          if (f->isBoundary() == Access::is_boundary(from)) return f;
+          remove(f);
+          return make(Access::is_boundary(from));
+        },
+        remove,
+        [&](const TheirFace& from, bool is_live) {
+          Face* f = make(Access::is_boundary(from));
+          if (!is_live) remove(f);
+          return f;
+        });
+  }
+
+  void settle_halfedges() {
+    const auto remove = [&](Halfedge* h) { mesh_.deleteHalfedge(Inspector::handle(h)); };
+    halfedges_.settle([](Halfedge* h, const TheirHalfedge& /*from*/) { return h; }, remove,
+                      [&](const TheirHalfedge& /*from*/, bool is_live) {
+                        Halfedge* h = elementAddress(mesh_.newHalfedge());
+                        if (!is_live) remove(h);
+                        return h;
+                      });
+  }
+
+  void write_pointers() {
+    vertices_.for_each(
+        [&](Vertex& to, const auto& from) { to.halfedge() = ours(Access::halfedge(from)); });
+    edges_.for_each(
+        [&](Edge& to, const auto& from) { to.halfedge() = ours(Access::halfedge(from)); });
+    faces_.for_each(
+        [&](Face& to, const auto& from) { to.halfedge() = ours(Access::halfedge(from)); });
+    halfedges_.for_each([&](Halfedge& to, const TheirHalfedge& from) {
+      to.twin() = ours(Access::twin(from));
+      to.next() = ours(Access::next(from));
+      to.vertex() = ours(Access::vertex(from));
+      to.edge() = ours(Access::edge(from));
+      to.face() = ours(Access::face(from));
+    });
+  }
 
   HalfedgeMesh& mesh_;
-  Pairing<Vertex, Halfedge_Mesh::Vertex> vertices_;
-  Pairing<Edge, Halfedge_Mesh::Edge> edges_;
-  Pairing<Face, Halfedge_Mesh::Face> faces_;
-  Pairing<Halfedge, Halfedge_Mesh::Halfedge> halfedges_;
+  Pairing<Vertex, TheirVertex> vertices_;
+  Pairing<Edge, TheirEdge> edges_;
+  Pairing<Face, TheirFace> faces_;
+  Pairing<Halfedge, TheirHalfedge> halfedges_;
 };
 
 }  // namespace scotty3d

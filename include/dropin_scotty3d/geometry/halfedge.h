@@ -57,6 +57,7 @@ class Halfedge_Mesh {
   class Vertex {
    public:
     static constexpr const char* kReferenceName = "vertex reference (VertexRef)";
+    static constexpr bool kStaysWhenErased = true;
     using Bone_Weight = Halfedge_Mesh::Bone_Weight;
 
     HalfedgeRef halfedge;  ///< one that leaves the vertex
@@ -83,6 +84,7 @@ class Halfedge_Mesh {
   class Edge {
    public:
     static constexpr const char* kReferenceName = "edge reference (EdgeRef)";
+    static constexpr bool kStaysWhenErased = true;
 
     HalfedgeRef halfedge;  ///< one of the two
     Index id = 0;
@@ -102,6 +104,7 @@ class Halfedge_Mesh {
   class Face {
    public:
     static constexpr const char* kReferenceName = "face reference (FaceRef)";
+    static constexpr bool kStaysWhenErased = true;
 
     HalfedgeRef halfedge;  ///< one of those around the face
     Index id = 0;
@@ -122,6 +125,7 @@ class Halfedge_Mesh {
   class Halfedge {
    public:
     static constexpr const char* kReferenceName = "half-edge reference (HalfedgeRef)";
+    static constexpr bool kStaysWhenErased = true;
 
     HalfedgeRef twin;
     HalfedgeRef next;
@@ -242,22 +246,7 @@ class Halfedge_Mesh {
   Index next_id_ = 0;
 };
 
-// Where the course's references are the iterators of a list, so that some write
-// `std::list<Halfedge_Mesh::Vertex>::iterator`.
-namespace std {  // NOLINT(cert-dcl58-cpp): for types of our own
-template <>
-class list<Halfedge_Mesh::Halfedge>
-    : public meshedit::detail::scotty3d::ElementList<Halfedge_Mesh::Halfedge> {};
-template <>
-class list<Halfedge_Mesh::Vertex>
-    : public meshedit::detail::scotty3d::ElementList<Halfedge_Mesh::Vertex> {};
-template <>
-class list<Halfedge_Mesh::Edge>
-    : public meshedit::detail::scotty3d::ElementList<Halfedge_Mesh::Edge> {};
-template <>
-class list<Halfedge_Mesh::Face>
-    : public meshedit::detail::scotty3d::ElementList<Halfedge_Mesh::Face> {};
-}  // namespace std
+#include "../detail/std_lists.h"
 
 #ifdef SCOTTY3D_ADDED
 #include "scotty3d_added_after.h"
