@@ -85,30 +85,6 @@ const std::vector<FateWords>& all_fates() {
   return fates;
 }
 
-struct OwnFactors {
-  const char* misconception;
-  double longer;
-  double shorter;
-};
-
-/// Those whose limits lead to this mesh.
-Misconceptions likely_limits(const Resizing& right, const MeshDump& mesh) {
-  const RemeshSettings& asked = right.settings;
-  const double mean = mean_edge_length(right.before);
-  const OwnFactors wrong[] = {
-      {"own-factors", 4.0 / 3.0, 4.0 / 5.0},
-      {"own-factors", 1.2, 0.8},
-      {"not-times-the-mean", asked.longer / mean, asked.shorter / mean}};
-  Misconceptions likely;
-  for (const auto& [name, longer, shorter] : wrong) {
-    const auto lists = surely_resized(right.before, longer, shorter);
-    if (!lists || !labels_by_place(mesh, *lists, right.allowed)) continue;
-    if (!holds(likely, name))
-      likely.push_back(find_misconception(resizing_misconceptions(), name));
-  }
-  return likely;
-}
-
 Finding other_vertices(const Resizing& right, const MeshDump& mesh) {
   const Places expected = places_of(right.after, right.allowed);
   const std::vector<bool> in_use = labels_in_use(right.after);
@@ -188,22 +164,10 @@ Finding wrong_resizing(const Resizing& right, const MeshDump& mesh) {
                           collapsed(there), collapsed(expected)};
       if (!words.applies(fate)) continue;
       tell(words, edge, fate);
-      finding.likely = likely_limits(right, mesh);
       return finding;
     }
   }
-  finding.likely = likely_limits(right, mesh);
   return finding;
-}
-
-const Misconceptions& resizing_misconceptions() {
-  static const Misconceptions all{
-      {"own-factors",
-       "the limits are numbers of your own: take longerFactor and shorterFactor of the "
-       "parameters"},
-      {"not-times-the-mean",
-       "the limits are the factors alone: they are to be multiplied with the mean length"}};
-  return all;
 }
 
 }  // namespace meshgrade

@@ -33,6 +33,4 @@ std::optional<std::vector<Label>> labels_by_place(const MeshDump& mesh, const Fa
 /// @param mesh  keeps all mesh rules; nothing has been smoothed
 Finding wrong_resizing(const Resizing& right, const MeshDump& mesh);
 
-const Misconceptions& resizing_misconceptions();
-
 }  // namespace meshgrade

@@ -184,11 +184,12 @@ class RemeshJudge {
     const bool same = after_.vertices.size() == start_.vertices.size() &&
                       count(after_).vertices == start_.vertices.size();
     if (!same) {
-      report("vertices",
-             "no edge is longer than longerFactor L or shorter than shorterFactor L: vertices "
-             "neither come nor go",
-             "the mesh", counts_text(count(start_)), counts_text(count(after_)),
-             "the two limits: is L the mean length of all edges?");
+      report(
+          "vertices",
+          "no edge is longer than longerFactor L or shorter than shorterFactor L: vertices "
+          "neither come nor go",
+          "the mesh", counts_text(count(start_)), counts_text(count(after_)),
+          "the two limits: the factors of the parameters, times the mean length of all edges");
       return;
     }
     std::vector<Label> labels(after_.vertices.size());
@@ -468,8 +469,6 @@ ExerciseJudge isotropic_remeshing_judge(const ExerciseRubric& rubric) {
     judge.conventions.insert(name);
   judge.judge_steps = judge_remeshing;
   judge.misconceptions = smoothing_misconceptions();
-  for (const Misconception& m : resizing_misconceptions())
-    judge.misconceptions.push_back(m);
   return judge;
 }
 
