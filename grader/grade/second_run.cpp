@@ -246,6 +246,15 @@ bool is_unwritten(const JudgedExercise& exercise) {
   });
 }
 
+std::string why_not_run_again(const Submission& submission, const std::string& causes) {
+  if (submission.dialect == Dialect::kScotty3d) {
+    return "homework for Scotty3D cannot be run with a right solution of " + causes +
+           " in place of yours: first mend your own";
+  }
+  return "your instructor's grader runs it again with a right solution of " + causes +
+         "; this package comes without one";
+}
+
 /// Runs the exercise again with right solutions of these in place of the student's.
 void run_with(const Assignment& assignment, const Home& home, const Candidate& candidate,
               const std::vector<const JudgedExercise*>& wrong, ExerciseRun& run) {
@@ -264,15 +273,8 @@ void run_with(const Assignment& assignment, const Home& home, const Candidate& c
   if (is_unwritten(run.judged)) return;
   const std::string causes = join(names, " and ");
   const auto changed = with_stand_ins(candidate.submission, home, stand_ins);
-  if (!changed && candidate.submission.dialect == Dialect::kScotty3d) {
-    run.judged.notes.push_back("homework for Scotty3D cannot be run with a right solution of " +
-                               causes + " in place of yours: first mend your own");
-    return;
-  }
   if (!changed) {
-    run.judged.notes.push_back(
-        "your instructor's grader runs it again with a right solution of " + causes +
-        "; this package comes without one");
+    run.judged.notes.push_back(why_not_run_again(candidate.submission, causes));
     return;
   }
   const Build build = build_submission(*changed, home, assignment.limits);

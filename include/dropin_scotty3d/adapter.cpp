@@ -167,8 +167,9 @@ void PolyMesh::isotropicRemesh(const RemeshParameters& parameters) {
 [[gnu::weak]] void Halfedge_Mesh::isotropic_remesh(const Isotropic_Remesh_Parameters&)
     SCOTTY3D_UNWRITTEN(isotropic_remesh)
 
-[[gnu::weak]] void Halfedge_Mesh::extrude_positions(FaceRef, Vec3, float)
-    SCOTTY3D_UNWRITTEN(extrude_positions)
-        [[gnu::weak]] void Halfedge_Mesh::bevel_positions(FaceRef, const std::vector<Vec3>&,
-                                                          Vec3, float)
-            SCOTTY3D_UNWRITTEN(bevel_positions)
+        [[gnu::weak]] void Halfedge_Mesh::extrude_positions(FaceRef, Vec3, float)
+            SCOTTY3D_UNWRITTEN(extrude_positions)
+                [[gnu::weak]] void Halfedge_Mesh::bevel_positions(FaceRef,
+                                                                  const std::vector<Vec3>&,
+                                                                  Vec3, float)
+                    SCOTTY3D_UNWRITTEN(bevel_positions)

@@ -196,7 +196,7 @@ void add_stress(RemeshCases& cases, const CaseMaker& maker) {
                              smoothing(1, 0.5, 2)});
   cases.add("stress", {"a torus of 5000 triangles", torus_mesh(50, 50), 0, smoothing(2, 0.5)});
   cases.add("stress",
-            {"a crowded torus of 5000 triangles", crowded_torus(50, 50, random), 1, usual(1)});
+            {"a crowded torus of 5120 triangles", crowded_torus(80, 32, random), 1, usual(1)});
 }
 
 }  // namespace

@@ -324,27 +324,33 @@ class RemeshJudge {
     std::vector<Point3> actual;
     for (const VertexRecord& v : after_.vertices)
       actual.push_back(v.position);
-    // Vertices on a boundary may lie anywhere, as long as nothing else depends on it.
-    const auto with_free_boundary = [&](std::vector<Point3> points) {
-      for (Label v = 0; v < points.size() && all > 0; ++v) {
-        if (rings.on_boundary[v]) points[v] = actual[v];
-      }
-      return points;
-    };
     const std::vector<LocalScale> scales = scales_around(rings);
     const auto right = [&](NormalWeight weight) {
-      return with_free_boundary(smoothed(rings, lists_.positions, settings_.step, all, weight));
+      return with_free_boundary(rings, actual,
+                                smoothed(rings, lists_.positions, settings_.step, all, weight));
     };
-    if (keep_conventions(
-            [&](NormalWeight weight) { return are_within(right(weight), actual, scales); }))
-      return;
+    const auto fits = [&](NormalWeight weight) {
+      return are_within(right(weight), actual, scales);
+    };
+    if (keep_conventions(fits)) return;
     report_places(right(NormalWeight::kArea), actual, scales);
     if (!task_.explain || all == 0) return;
     Misconceptions& likely = judgement_.findings.back().likely;
     for (const auto& [name, points] : predict_smoothing(rings, lists_.positions, settings_)) {
-      if (are_within(with_free_boundary(points), actual, scales) && !holds(likely, name))
+      const auto predicted = with_free_boundary(rings, actual, points);
+      if (are_within(predicted, actual, scales) && !holds(likely, name))
         likely.push_back(find_misconception(smoothing_misconceptions(), name));
     }
+  }
+
+  /// Vertices on a boundary may be smoothed to anywhere.
+  std::vector<Point3> with_free_boundary(const TriangleRings& rings,
+                                         const std::vector<Point3>& actual,
+                                         std::vector<Point3> points) const {
+    for (Label v = 0; v < points.size() && settings_.smoothing > 0; ++v) {
+      if (rings.on_boundary[v]) points[v] = actual[v];
+    }
+    return points;
   }
 
   void report_places(const std::vector<Point3>& expected, const std::vector<Point3>& actual,
