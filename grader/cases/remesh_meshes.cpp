@@ -44,10 +44,12 @@ std::vector<double> limits_between(std::vector<double> shares, bool from_above) 
   return limits;
 }
 
-/// Flips a third of the edges, as far as these are sides of different triangles.
+/// Flips a third of the edges, as far as these are sides of different triangles and have
+/// different ends: so no vertex loses more than one edge.
 void flip_some(FaceLists& lists, Random& random) {
   const Surface surface(lists);
   std::set<std::size_t> used;
+  std::set<Label> ends;
   std::set<EdgeEnds> added;
   std::vector<FlipPlace> places;
   for (const EdgeEnds& edge : edges_of(lists)) {
@@ -56,9 +58,11 @@ void flip_some(FaceLists& lists, Random& random) {
     const std::size_t f = *surface.face_with_side(place->a, place->b);
     const std::size_t g = *surface.face_with_side(place->b, place->a);
     const bool is_free = used.count(f) == 0 && used.count(g) == 0;
+    if (ends.count(place->a) != 0 || ends.count(place->b) != 0) continue;
     if (!is_free || surface.is_edge(place->c, place->d)) continue;
     if (!added.insert(std::minmax(place->c, place->d)).second) continue;
     used.insert({f, g});
+    ends.insert({place->a, place->b});
     places.push_back(*place);
   }
   for (const FlipPlace& place : places)
