@@ -23,6 +23,7 @@ const std::vector<Scotty3dFunction>& functions_since_2022() {
 #define SCOTTY3D_MESH_FUNCTION(exercise, ours, theirs, Result) \
   SCOTTY3D_NAMES(exercise, ours, theirs)
 #define SCOTTY3D_REFINEMENT(exercise, ours, theirs) SCOTTY3D_NAMES(exercise, ours, theirs)
+#define SCOTTY3D_REMESHING(exercise, ours, theirs) SCOTTY3D_NAMES(exercise, ours, theirs)
 #define SCOTTY3D_PLACEMENT(exercise, ours, theirs) SCOTTY3D_NAMES(exercise, ours, theirs)
 #include "include/dropin_scotty3d/functions.inc"
   };

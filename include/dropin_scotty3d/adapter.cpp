@@ -122,6 +122,19 @@ void PolyMesh::placeBevelled(FaceIter f, const std::vector<Vector3D>& starts,
   bridge.write_back();
 }
 
+void PolyMesh::isotropicRemesh(const RemeshParameters& parameters) {
+  Halfedge_Mesh theirs;
+  MeshBridge bridge(*this, theirs);
+  Halfedge_Mesh::Isotropic_Remesh_Parameters params;
+  params.outer_iterations = static_cast<std::uint32_t>(parameters.outerIterations);
+  params.longer_factor = static_cast<float>(parameters.longerFactor);
+  params.shorter_factor = static_cast<float>(parameters.shorterFactor);
+  params.smoothing_iterations = static_cast<std::uint32_t>(parameters.smoothingIterations);
+  params.smoothing_step = static_cast<float>(parameters.smoothingStep);
+  theirs.isotropic_remesh(params);
+  bridge.write_back();
+}
+
 }  // namespace meshedit
 
 // Replaced by the student's own definitions when the worker is linked.
@@ -139,8 +152,12 @@ void PolyMesh::placeBevelled(FaceIter f, const std::vector<Vector3D>& starts,
   [[gnu::weak]] void Halfedge_Mesh::their_name() SCOTTY3D_UNWRITTEN(their_name)
 #include "functions.inc"
 
-[[gnu::weak]] void Halfedge_Mesh::extrude_positions(FaceRef, Vec3, float)
-    SCOTTY3D_UNWRITTEN(extrude_positions)
-        [[gnu::weak]] void Halfedge_Mesh::bevel_positions(FaceRef, const std::vector<Vec3>&,
-                                                          Vec3, float)
-            SCOTTY3D_UNWRITTEN(bevel_positions)
+[[gnu::weak]] void Halfedge_Mesh::isotropic_remesh(const Isotropic_Remesh_Parameters&)
+    SCOTTY3D_UNWRITTEN(isotropic_remesh)
+
+        [[gnu::weak]] void Halfedge_Mesh::extrude_positions(FaceRef, Vec3, float)
+            SCOTTY3D_UNWRITTEN(extrude_positions)
+                [[gnu::weak]] void Halfedge_Mesh::bevel_positions(FaceRef,
+                                                                  const std::vector<Vec3>&,
+                                                                  Vec3, float)
+                    SCOTTY3D_UNWRITTEN(bevel_positions)

@@ -17,6 +17,15 @@ struct RefinedPositions {
   std::map<FaceIter, Vector3D> faces;       ///< the new vertex within each face
 };
 
+/// What isotropicRemesh() is asked for.
+struct RemeshParameters {
+  Size outerIterations = 3;       ///< rounds of split, collapse, flip and smooth
+  double longerFactor = 1.2;      ///< an edge longer than this times the mean length is split
+  double shorterFactor = 0.8;     ///< one that is shorter than this times it is collapsed
+  Size smoothingIterations = 10;  ///< in each round
+  double smoothingStep = 0.2;     ///< which part of the way a vertex goes in each of them
+};
+
 /// THE SECOND ASSIGNMENT: editing a surface whose faces are polygons with any number of
 /// corners.
 ///
@@ -205,6 +214,26 @@ class PolyMesh : public HalfedgeMesh {
   ///
   /// @return false if a face is no triangle: the mesh is then as it was
   MESHEDIT_YOURS bool loopSubdivide();
+
+  /// EXERCISE isotropic_remeshing. Makes the triangles of a mesh alike: edges about as long as
+  /// the mean, about six edges at each vertex. With your own splitEdge, collapseEdge and
+  /// flipEdge. In each round, L being the mean length of all edges:
+  ///
+  ///   1. split each edge that is longer than longerFactor L
+  ///   2. collapse each edge that is shorter than shorterFactor L, unless that is refused
+  ///   3. flip each edge where that lowers the sum of |n - 6| over the four vertices of its two
+  ///      triangles, n being the number of edges at a vertex
+  ///   4. smooth, so many times: each vertex p goes to p + s (u - (u . N) N), where u leads
+  ///   from
+  ///      p to the mean of its neighbours, N is its normal, weighted by areas, and s the step.
+  ///      All of that comes from the positions before the iteration.
+  ///
+  /// Yours: whether L is taken once or in each round anew; whether a step visits the edges
+  /// that there are when it begins, or goes on until there is nothing left to do; in which
+  /// order; and what becomes of vertices on a boundary, and of edges at them.
+  ///
+  /// @param parameters  all faces of the mesh are triangles
+  MESHEDIT_YOURS void isotropicRemesh(const RemeshParameters& parameters);
 };
 
 }  // namespace meshedit

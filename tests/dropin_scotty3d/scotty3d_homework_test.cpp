@@ -106,14 +106,16 @@ INSTANTIATE_TEST_SUITE_P(
         RightFolder{"of_2022",
                     {"face_collapse", "vertex_bevel", "edge_bevel", "face_remove", "edge_weld",
                      "extrude_positions", "bevel_positions", "triangulation",
-                     "linear_subdivision", "catmull_clark", "loop_refinement"}},
+                     "linear_subdivision", "catmull_clark", "loop_refinement",
+                     "isotropic_remeshing"}},
         RightFolder{"of_2024", {}}, RightFolder{"of_2020", {}},
         RightFolder{"of_spring_2022",
                     {"edge_dissolve", "vertex_dissolve", "face_extrude", "face_collapse",
                      "vertex_bevel", "edge_bevel", "catmull_clark", "loop_refinement"}},
         RightFolder{"of_2026",
                     {"face_collapse", "edge_bevel", "face_remove", "edge_weld",
-                     "bevel_positions", "linear_subdivision", "loop_refinement"}}),
+                     "bevel_positions", "linear_subdivision", "loop_refinement",
+                     "isotropic_remeshing"}}),
     [](const auto& tested) { return std::string(tested.param.folder); });
 
 TEST(Scotty3dHomework, AsHandedOutIsNotImplementedAndCompilesWhole) {
@@ -288,6 +290,13 @@ const Scotty3dMistake kScotty3dMistakes[] = {
      "position"},
     {"ThreeSixteenthsInWholeNumbers", "loop_refinement", "of_2024", "3.0f / 16.0f", "3 / 16",
      "position"},
+    {"CollapsesWhatIsErased", "isotropic_remeshing", "of_2024", "e->id == id && ", "",
+     "end-reference"},
+    {"UsesARefusedCollapse", "isotropic_remeshing", "of_2024",
+     "params.shorter_factor * mean) collapse_edge(e);",
+     "params.shorter_factor * mean) collapse_edge(e).value()->id;", "exception"},
+    {"SmoothsVertexByVertex", "isotropic_remeshing", "of_2024", "to[v] = v->position +",
+     "to[v] = v->position +=", "position"},
     {"FailedAssertion", "vertex_inset", "of_2026",
      "VertexRef m = emplace_vertex();\n\tm->position = f->center();",
      "VertexRef m = emplace_vertex();\n\tassert(sides.size() == 4);\n\tm->position = "

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "grader/base/wire.h"
@@ -13,13 +14,16 @@
 #include "grader/cases/local_operation_input.h"
 #include "grader/cases/mesh_input.h"
 #include "grader/cases/placement_cases.h"
+#include "grader/cases/remesh_input.h"
 #include "grader/cases/whole_mesh_input.h"
 #include "grader/judge/bezier_forms.h"
 #include "grader/judge/operation_model.h"
 #include "grader/judge/operations_judge.h"
 #include "grader/judge/refinement_rules.h"
+#include "grader/judge/remesh_smoothing.h"
 #include "grader/operations/local_operation_list.h"
 #include "grader/operations/picked_element.h"
+#include "grader/operations/remesh_steps.h"
 #include "grader/run/outcome.h"
 #include "grader/subdivide/opensubdiv_level.h"
 #include "tests/support/sample_meshes.h"
@@ -336,6 +340,56 @@ inline std::vector<std::string> right_placements(const PlacementInput& input, bo
   return steps;
 }
 
+/// Splits, then collapses, by lists of faces: what may be refused is.
+inline void resize_edges(FaceLists& lists, double longest, double shortest) {
+  const auto answer_of = [&](const char* operation, const EdgeEnds& edge) {
+    return find_local_operation(operation)->answer(lists, {{edge.first, edge.second}});
+  };
+  for (const EdgeEnds& edge : edges_of(lists)) {
+    if (edge_length(lists, edge) > longest) lists = answer_of("edge_split_polygon", edge).after;
+  }
+  for (const EdgeEnds& edge : edges_of(lists)) {
+    if (edge_length(lists, edge) >= shortest) continue;
+    if (!Surface(lists).is_edge(edge.first, edge.second)) continue;
+    const Answer answer = answer_of("edge_collapse", edge);
+    if (answer.demand == Demand::kMust) lists = answer.after;
+  }
+}
+
+inline void flip_edges(FaceLists& lists) {
+  for (const EdgeEnds& edge : edges_of(lists)) {
+    const Surface surface(lists);
+    const auto place = flip_place(surface, lists, edge);
+    if (!place || flip_gain(surface, *place) <= 0) continue;
+    if (!surface.is_edge(place->c, place->d)) flip(lists, *place);
+  }
+}
+
+inline void smooth_vertices(FaceLists& lists, const RemeshSettings& settings) {
+  const MeshDump mesh = mesh_of(lists);
+  std::vector<Label> same(mesh.vertices.size());
+  std::iota(same.begin(), same.end(), 0U);
+  lists.positions = smoothed(triangle_rings(mesh, same, same.size()), lists.positions,
+                             settings.step, settings.smoothing, NormalWeight::kArea);
+}
+
+inline MeshDump right_remeshing(const RemeshInput& input) {
+  const MeshDump built = built_mesh(input.mesh, input.anchor_turns);
+  const RemeshSettings& settings = input.settings;
+  // Of a mesh that large it is only asked that it stays one.
+  const bool is_large = settings.resizes() && input.mesh.polygons.size() > 2000;
+  if (settings.outer == 0 || is_large) return built;
+  FaceLists lists = face_lists_of(built);
+  for (std::uint32_t round = 0; round < settings.outer; ++round) {
+    const double mean = mean_edge_length(lists);
+    if (settings.resizes())
+      resize_edges(lists, settings.longer * mean, settings.shorter * mean);
+    flip_edges(lists);
+    if (settings.smoothing > 0) smooth_vertices(lists, settings);
+  }
+  return mesh_of(lists);
+}
+
 inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarren,
                              CornerRule corner = CornerRule::kSmooth) {
   Outcome outcome;
@@ -363,6 +417,8 @@ inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarre
         right_refinements(from_wire<WholeMeshInput>(c.input), RefinementScheme::kCatmullClark);
   if (c.exercise == "loop_refinement")
     outcome.steps = right_loop_refinements(from_wire<WholeMeshInput>(c.input), rule, corner);
+  if (c.exercise == "isotropic_remeshing")
+    outcome.steps = {to_wire(right_remeshing(from_wire<RemeshInput>(c.input)))};
   if (c.exercise == "loop_subdivision")
     outcome.steps = right_levels(from_wire<SubdivisionInput>(c.input), rule, corner);
   return outcome;

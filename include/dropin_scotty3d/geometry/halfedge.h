@@ -218,6 +218,7 @@ class Halfedge_Mesh {
     std::uint32_t smoothing_iterations = 10;
     float smoothing_step = 0.2f;
   };
+  void isotropic_remesh(const Isotropic_Remesh_Parameters& params);
 
   /// The number of boundary faces.
   std::size_t n_boundaries() const;

@@ -118,6 +118,43 @@ bool Halfedge_Mesh::loop_subdivide() {
 	return true;
 }
 
+void Halfedge_Mesh::isotropic_remesh(Isotropic_Remesh_Parameters const &params) {
+	auto all = [&]() {
+		std::vector< std::pair< EdgeRef, Index > > list;
+		for (EdgeRef e = edges.begin(); e != edges.end(); e++) list.emplace_back(e, e->id);
+		return list;
+	};
+	for (uint32_t round = 0; round < params.outer_iterations; round++) {
+		float mean = 0.0f;
+		for (EdgeRef e = edges.begin(); e != edges.end(); e++) mean += e->length() / float(edges.size());
+		for (auto [e, id] : all()) {
+			if (e->length() > params.longer_factor * mean) split_edge(e);
+		}
+		for (auto [e, id] : all()) {
+			// erased elements get another id
+			if (e->id == id && e->length() < params.shorter_factor * mean) collapse_edge(e);
+		}
+		for (auto [e, id] : all()) {
+			if (e->on_boundary()) continue;
+			HalfedgeRef h = e->halfedge, t = h->twin;
+			auto off = [](VertexRef v, int more) { return std::abs(int(v->degree()) + more - 6); };
+			VertexRef a = h->vertex, b = t->vertex, c = h->next->next->vertex, d = t->next->next->vertex;
+			int now = off(a, 0) + off(b, 0) + off(c, 0) + off(d, 0);
+			int then = off(a, -1) + off(b, -1) + off(c, 1) + off(d, 1);
+			if (then < now) flip_edge(e);
+		}
+		for (uint32_t i = 0; i < params.smoothing_iterations; i++) {
+			std::unordered_map< VertexRef, Vec3 > to;
+			for (VertexRef v = vertices.begin(); v != vertices.end(); v++) {
+				Vec3 n = v->normal();
+				Vec3 u = v->neighborhood_center() - v->position;
+				to[v] = v->position + params.smoothing_step * (u - dot(u, n) * n);
+			}
+			for (auto& [v, p] : to) v->position = p;
+		}
+	}
+}
+
 // provided
 void Halfedge_Mesh::catmark_subdivide_helper(
 	std::unordered_map< VertexCRef, Vec3 > const &vertex_positions,

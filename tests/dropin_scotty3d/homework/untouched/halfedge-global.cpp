@@ -21,7 +21,7 @@ bool Halfedge_Mesh::loop_subdivide() {
 }
 
 void Halfedge_Mesh::isotropic_remesh(Isotropic_Remesh_Parameters const &params) {
-	(void)params.outer_iterations;
+	//Compute the mean length, then repeat the steps.
 }
 
 struct Edge_Record {
