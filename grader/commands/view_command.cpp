@@ -221,11 +221,9 @@ void add_view_command(CLI::App& app, int& exit_code) {
   add_screenshot_options(*command, options->screenshot);
   add_cache_option(*command, options->no_cache);
   command->footer(
-      "Calls your own functions on a mesh, in the browser: those that flip, split and "
-      "subdivide\n"
-      "triangles, or all that edit polygons. A crash or an endless loop is told and nothing "
-      "is\n"
-      "lost; save your file, and the steps are repeated.\n"
+      "Calls your own functions on a mesh, in the browser: those that flip, split and\n"
+      "subdivide triangles, or all that edit polygons. A crash or an endless loop is told and\n"
+      "nothing is lost; save your file, and the steps are repeated.\n"
       "Examples:\n"
       "  meshgrade view --submission my_homework\n"
       "  meshgrade view meshes/icosahedron.obj --submission my_homework\n"
