@@ -2,6 +2,7 @@
 
 // What the viewer asks of a student's mesh functions, as it goes to the worker. C++17.
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,18 +12,19 @@
 
 namespace meshgrade {
 
-/// The name of the viewer's task: no exercise has it.
+/// The names of the viewer's tasks, for meshes of triangles and of polygons: no exercise has
+/// one of them.
 constexpr const char* kViewTask = "view";
-
-enum class ViewKind : std::uint32_t { kFlip = 0, kSplit = 1, kSubdivide = 2 };
+constexpr const char* kPolygonViewTask = "view_polygons";
 
 struct ViewOperation {
-  ViewKind kind = ViewKind::kFlip;
-  Ref edge = kUnsetRef;  ///< by its number; unset for a subdivision
+  std::string exercise;  ///< whose function is called: "edge_flip"
+  ElementKind picks = ElementKind::kEdge;
+  std::vector<Ref> picked;  ///< by their numbers, a face as a plain one; none: the whole mesh
 
   template <class Wire>
   void transfer(Wire& wire) {
-    wire(kind, edge);
+    wire(exercise, picks, picked);
   }
 };
 
@@ -50,5 +52,33 @@ struct ViewStep {
     wire(returned, after);
   }
 };
+
+/// What one operation on a mesh of polygons left behind.
+struct PolygonViewStep {
+  std::string step;  ///< as the exercise writes it down
+  MeshDump after;
+
+  template <class Wire>
+  void transfer(Wire& wire) {
+    wire(step, after);
+  }
+};
+
+/// Whether a function of the whole mesh gets one that is built anew, as in its exercise. Loop
+/// subdivision goes on with triangles as they are: what one level leaves marked, the next
+/// finds.
+inline bool is_built_anew(const ViewOperation& operation, const MeshDump& mesh) {
+  if (!operation.picked.empty()) return false;
+  const auto is_live = [](const VertexRecord& v) { return v.live != 0; };
+  std::vector<std::uint32_t> corners(mesh.faces.size(), 0);
+  for (const HalfedgeRecord& h : mesh.halfedges) {
+    if (h.live != 0 && h.face < corners.size()) ++corners[h.face];
+  }
+  for (Ref f = 0; f < corners.size(); ++f) {
+    if (mesh.faces[f].live != 0 && corners[f] != 3) return true;
+  }
+  return operation.exercise != "loop_refinement" ||
+         !std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_live);
+}
 
 }  // namespace meshgrade

@@ -52,6 +52,13 @@ void say_step(const CaseReport& told, const std::string& step) {
   std::cout << "\n";
 }
 
+/// How many elements there are of the kind that a step picks.
+std::string counts_text(const Counts& counts, const ViewOperation& step) {
+  if (step.picks == ElementKind::kEdge) return plural(counts.edges, "edge");
+  if (step.picks == ElementKind::kFace) return plural(counts.faces, "face");
+  return std::to_string(counts.vertices) + " vertices";
+}
+
 /// @return whether all steps came to their end
 bool run_steps(MeshSession& session, const std::vector<ViewOperation>& steps) {
   for (const ViewOperation& step : steps) {
@@ -62,7 +69,7 @@ bool run_steps(MeshSession& session, const std::vector<ViewOperation>& steps) {
       const Counts counts = count(session.states()[session.position()].mesh);
       throw UserError("--steps: step " + std::to_string(session.position() + 1) + ", \"" +
                       name + "\": " + error.what() + "; there are " +
-                      plural(counts.edges, "edge") + " then");
+                      counts_text(counts, step) + " then");
     }
     if (session.stopped()) {
       say_step(session.stopped()->told, name);
@@ -79,8 +86,7 @@ bool run_steps(MeshSession& session, const std::vector<ViewOperation>& steps) {
 void say_comparison(const MeshSession& session) {
   const ViewState& state = session.states()[session.position()];
   const bool subdivided =
-      session.position() > 0 &&
-      session.operations()[session.position() - 1].kind == ViewKind::kSubdivide;
+      session.position() > 0 && subdivides(session.operations()[session.position() - 1]);
   if (!state.deviation.empty()) {
     std::cout << deviation_text(state.deviation) << "\n";
   } else if (subdivided) {
@@ -103,10 +109,11 @@ std::vector<Point3> normals_for(const MeshSession& session, const PictureRequest
 
 }  // namespace
 
-PictureRequest read_request(const ScreenshotOptions& options) {
+PictureRequest read_request(const ScreenshotOptions& options,
+                            const std::vector<ViewVerb>& verbs) {
   require_writable(options.out);
   PictureRequest request;
-  if (!options.steps.empty()) request.steps = parse_steps(options.steps);
+  if (!options.steps.empty()) request.steps = parse_steps(options.steps, verbs);
   if (!options.camera.empty()) request.camera = parse_camera(options.camera);
   if (!options.size.empty()) request.size = parse_size(options.size);
   request.wireframe = options.wireframe;
@@ -132,7 +139,7 @@ int take_screenshot(MeshSession& session, const PictureRequest& request, const f
 
 int take_curve(const StudentProgram& program, const std::vector<Point2>& points,
                const ScreenshotOptions& options, const std::string& name) {
-  const PictureRequest request = read_request(options);
+  const PictureRequest request = read_request(options, view_verbs(program.assignment()));
   const CurveLook look = look_at_curve(program, points, options.t);
   say_step(look.told, "evaluateStep at t = " + number_text(options.t));
   const auto levels =
@@ -146,7 +153,7 @@ int take_curve(const StudentProgram& program, const std::vector<Point2>& points,
 
 int take_surface(const StudentProgram& program, const std::vector<ControlNet>& nets,
                  const ScreenshotOptions& options, const std::string& name) {
-  const PictureRequest request = read_request(options);
+  const PictureRequest request = read_request(options, view_verbs(program.assignment()));
   const PatchLook look = look_at_patches(program, nets, options.density);
   say_step(look.told, "evaluate");
   const auto svg = [&] { return patch_svg(look, request, name); };

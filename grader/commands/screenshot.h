@@ -28,9 +28,11 @@ struct ScreenshotOptions {
 };
 
 /// What the options ask for.
+/// @param verbs  what the steps may be
 /// @throws UserError if one of them cannot be read, if the file is neither .png nor .svg, or if
 ///         it could not be written anyway
-PictureRequest read_request(const ScreenshotOptions& options);
+PictureRequest read_request(const ScreenshotOptions& options,
+                            const std::vector<ViewVerb>& verbs);
 
 /// Pictures of curves and surfaces by a program that is built, as take_screenshot.
 /// @return 0, or 1 if the judge finds something wrong
@@ -44,7 +46,8 @@ int take_surface(const StudentProgram& program, const std::vector<ControlNet>& n
 ///
 /// A .png is taken by a browser. Where none works, the grader draws an SVG beside it instead.
 /// @return 0, or 1 if a step did not come to its end: the picture shows the mesh before it
-/// @throws UserError if a step names an edge that is not there, or the file cannot be written
+/// @throws UserError if a step names an element that is not there, or the file cannot be
+/// written
 int take_screenshot(MeshSession& session, const PictureRequest& request,
                     const std::filesystem::path& out);
 

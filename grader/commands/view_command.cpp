@@ -125,15 +125,17 @@ int take_bezier(StudentProgram& program, const std::filesystem::path& file,
 
 int view(const ViewOptions& options) {
   const bool for_picture = !options.screenshot.out.empty();
+  const Assignment assignment = load_assignment_of(options.assignment, options.submission);
+  const std::vector<ViewVerb> verbs = view_verbs(assignment);
   const PictureRequest request =
-      for_picture ? read_request(options.screenshot) : PictureRequest();
+      for_picture ? read_request(options.screenshot, verbs) : PictureRequest();
   const Home home = find_home({!options.no_cache});
-  const Assignment assignment = load_assignment(options.assignment);
-  const std::filesystem::path cube = home.meshes / "cube.obj";
+  const std::filesystem::path usual =
+      home.meshes / (are_for_polygons(verbs) ? "prism_5.obj" : "cube.obj");
   const std::filesystem::path file =
-      options.mesh.empty() ? cube : std::filesystem::path(options.mesh);
+      options.mesh.empty() ? usual : std::filesystem::path(options.mesh);
   const Json start = bezier_start(file);
-  const std::filesystem::path mesh = start.is_null() ? file : cube;
+  const std::filesystem::path mesh = start.is_null() ? file : usual;
   StudentProgram program(assignment, home, options.submission);
   if (for_picture && !start.is_null()) return take_bezier(program, file, options.screenshot);
   MeshSession session(program);
@@ -166,8 +168,10 @@ void add_screenshot_options(CLI::App& command, ScreenshotOptions& options) {
                       "or an .svg, which the grader draws")
           ->group(group);
   const auto add = [&](CLI::Option* option) { option->needs(out)->group(group); };
-  add(command.add_option("--steps", options.steps,
-                         "What your functions do first: \"flip e3, split e5, subdivide 2\""));
+  add(command.add_option(
+      "--steps", options.steps,
+      "What your functions do first: \"flip e3, split e5, subdivide 2\", of polygons "
+      "\"extrude f2, weld e3 e7, catmull-clark 2\""));
   add(command.add_option("--camera", options.camera,
                          "AZIMUTH,ELEVATION[,DISTANCE]: degrees, 0,0 from the front; 31,22,3.5 "
                          "if not given"));
@@ -200,28 +204,34 @@ void add_view_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ViewOptions>();
   CLI::App* command =
       app.add_subcommand("view", "See a mesh, and what your functions make of it");
-  command->add_option(
-      "mesh", options->mesh,
-      "A mesh, a Bezier curve (.bzc) or surface (.bez); a cube if none is named");
+  command->add_option("mesh", options->mesh,
+                      "A mesh, a Bezier curve (.bzc) or surface (.bez); a cube, or a prism of "
+                      "polygons, if none "
+                      "is named");
   command
       ->add_option("--submission", options->submission,
                    "The folder with the C++ files, or one file")
       ->required();
-  command->add_option("--assignment", options->assignment,
-                      "The assignment (TOML); the standard one if not given");
+  command->add_option(
+      "--assignment", options->assignment,
+      "The assignment: a TOML file, or the name of one that comes along; recognised by "
+      "what the files define if not given");
   command->add_option("--port", options->port, "The port to listen on; any free one if 0")
       ->check(CLI::Range(0, 65535));
   add_screenshot_options(*command, options->screenshot);
   add_cache_option(*command, options->no_cache);
   command->footer(
-      "Flips, splits and subdivides with your own functions, in the browser. A crash or an\n"
-      "endless loop is told and nothing is lost; save your file, and the steps are repeated.\n"
+      "Calls your own functions on a mesh, in the browser: those that flip, split and\n"
+      "subdivide triangles, or all that edit polygons. A crash or an endless loop is told and\n"
+      "nothing is lost; save your file, and the steps are repeated.\n"
       "Examples:\n"
       "  meshgrade view --submission my_homework\n"
       "  meshgrade view meshes/icosahedron.obj --submission my_homework\n"
       "  meshgrade view meshes/arch_4.bzc --submission my_homework\n"
       "  meshgrade view meshes/cube.obj --submission my_homework --screenshot cube.png \\\n"
       "      --steps \"flip e3, split e5, subdivide 2\" --camera 45,30 --levels\n"
+      "  meshgrade view meshes/prism_5.obj --submission polygons --screenshot prism.png \\\n"
+      "      --steps \"bevel v2, collapse f1, catmull-clark 2\"\n"
       "  meshgrade view meshes/loop_6.bzc --submission my_homework --screenshot curve.png \\\n"
       "      --t 0.3 --level 2\n"
       "  meshgrade view meshes/teapot.bez --submission my_homework --screenshot teapot.png\n"

@@ -75,7 +75,7 @@ int write_up(const WriteupOptions& options) {
   const fs::path rubric_file = options.rubric.empty()
                                    ? source_folder() / "docs" / "writeup_rubric.toml"
                                    : fs::path(options.rubric);
-  const WriteupRubric rubric = read_rubric(rubric_file, home.meshes);
+  const WriteupRubric rubric = read_rubric(rubric_file, home.meshes, view_verbs(assignment));
   StudentProgram program(assignment, home, options.submission);
   const Progress progress = terminal_progress();
   progress("compiling");

@@ -360,19 +360,22 @@ void judge_local_operations(const JudgeTask& task, CaseJudgement& judgement) {
       if (element == kUnsetRef || (k == 0 ? step.picked : step.partner) != element)
         throw WireError("another element");
     }
-    LocalStepJudge(task, operation, before, step, step_text(operation, steps, i, step),
-                   judgement)
-        .judge();
-    if (!judgement.findings.empty()) {
-      judgement.verdict = Verdict::kFailed;
-      return;
-    }
+    judge_local_step(task, operation, before, step, step_text(operation, steps, i, step),
+                     judgement);
+    if (!judgement.findings.empty()) return;
     before = std::move(step.after);
   }
   require_all_steps(task.outcome, steps);
 }
 
 }  // namespace
+
+void judge_local_step(const JudgeTask& task, const LocalOperation& operation,
+                      const MeshDump& before, const LocalStep& step, const std::string& where,
+                      CaseJudgement& judgement) {
+  LocalStepJudge(task, operation, before, step, where, judgement).judge();
+  if (!judgement.findings.empty()) judgement.verdict = Verdict::kFailed;
+}
 
 ExerciseJudge local_operation_judge(const ExerciseRubric& rubric,
                                     const LocalOperation& operation) {

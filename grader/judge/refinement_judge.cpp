@@ -12,6 +12,7 @@
 #include "grader/judge/options.h"
 #include "grader/judge/point_compare.h"
 #include "grader/judge/unchanged_mesh.h"
+#include "grader/mesh/polygons_of.h"
 #include "grader/operations/picked_element.h"
 #include "grader/subdivide/opensubdiv_level.h"
 
@@ -151,6 +152,7 @@ class LevelJudge {
       judge_keys(kind);
     if (!judgement_.findings.empty()) return;
     right_ = right_points(before_, scheme_);
+    if (task_.measure) measure();
     for (const PointKind kind : kKinds)
       judge_points(kind);
     if (task_.explain && !judgement_.findings.empty()) keep_scene();
@@ -271,6 +273,20 @@ class LevelJudge {
   std::vector<Point3>& yours_of(PointKind kind) {
     if (kind == PointKind::kFace) return yours_.faces;
     return kind == PointKind::kEdge ? yours_.edges : yours_.vertices;
+  }
+
+  /// How far the vertices of the next level are off, by the numbers that build() gives them.
+  void measure() {
+    if (!complete_points(before_, step_)) return;
+    const PolygonMesh right = refined_mesh(before_, right_);
+    const MeshDump next = built_mesh(refined_mesh(before_, yours_));
+    const double size = diagonal(built_mesh(right));
+    if (!(size > 0.0)) return;
+    judgement_.deviation =
+        measure_deviation(right.positions, next, built_numbers(right), size, task_.tolerance);
+    judgement_.deviation.weights = scheme_ == RefinementScheme::kLinear
+                                       ? "its rules without smoothing"
+                                       : "Catmull and Clark's rules";
   }
 
   /// For a viewer: the next level.

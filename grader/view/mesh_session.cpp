@@ -16,10 +16,12 @@ namespace {
 /// once.
 std::uint64_t step_budget(const PolygonMesh& mesh,
                           const std::vector<ViewOperation>& operations) {
-  std::uint64_t faces = mesh.polygons.size() + 100;
+  std::uint64_t faces = 100;
+  for (const auto& corners : mesh.polygons)
+    faces += std::max<std::size_t>(corners.size(), 3) - 2;
   std::uint64_t budget = 0;
   for (const ViewOperation& operation : operations) {
-    if (operation.kind == ViewKind::kSubdivide) faces *= 4;
+    if (subdivides(operation)) faces *= 4;
     budget += 2000 + 1000 * faces;
   }
   return budget + 1000 * faces;
@@ -37,11 +39,34 @@ MeshDump first_state(const PolygonMesh& polygons) {
 
 CaseReport tell_step(const StudentProgram& program, const ViewOperation& operation,
                      CaseJudgement judgement, const Outcome& outcome) {
-  return program.tell(exercise_of(operation.kind), operation_text(operation),
-                      std::move(judgement), outcome);
+  return program.tell(operation.exercise, operation_text(operation), std::move(judgement),
+                      outcome);
+}
+
+/// Whether something of this kind is there.
+bool is_there(const MeshDump& mesh, ElementKind kind, Ref element) {
+  const auto lives = [&](const auto& records) {
+    return element < records.size() && records[element].live != 0;
+  };
+  if (kind == ElementKind::kVertex) return lives(mesh.vertices);
+  return kind == ElementKind::kEdge ? lives(mesh.edges) : lives(mesh.faces);
+}
+
+/// What an operation lacks; empty if it can be done.
+std::string trouble_with(const ViewOperation& operation, const MeshDump& mesh) {
+  for (const Ref element : operation.picked) {
+    if (is_there(mesh, operation.picks, element)) continue;
+    const std::string kind = kind_name(operation.picks);
+    return "there is no " + kind + " " + element_name(operation.picks, element);
+  }
+  if (is_for_triangles(operation)) return {};
+  return trouble_before(mesh, operation);
 }
 
 }  // namespace
+
+MeshSession::MeshSession(StudentProgram& program)
+    : program_(program), verbs_(view_verbs(program.assignment())) {}
 
 void MeshSession::open(const std::string& name, const PolygonMesh& mesh,
                        std::vector<std::string> notes) {
@@ -52,7 +77,7 @@ void MeshSession::open(const std::string& name, const PolygonMesh& mesh,
   operations_.clear();
   stopped_.reset();
   states_.clear();
-  states_.push_back({std::move(first), {}, {}});
+  states_.push_back({std::move(first), {}, {}, std::nullopt});
   position_ = 0;
 }
 
@@ -72,7 +97,7 @@ void MeshSession::rebuild() {
 Outcome MeshSession::run(const std::vector<ViewOperation>& operations, std::size_t first_told,
                          bool with_normals) const {
   Case asked;
-  asked.exercise = kViewTask;
+  asked.exercise = are_for_polygons(verbs_) ? kPolygonViewTask : kViewTask;
   asked.number = 1;
   asked.step_budget = step_budget(start_, operations);
   asked.input = to_wire(
@@ -107,44 +132,71 @@ void MeshSession::take_steps(const std::vector<ViewOperation>& operations,
                              const Outcome& outcome) {
   if (outcome.steps.size() > operations.size()) throw WireError("too many steps");
   for (std::size_t i = 0; i < outcome.steps.size(); ++i) {
-    auto step = from_wire<ViewStep>(outcome.steps[i]);
-    CaseJudgement judgement =
-        judge_view_step(program_.assignment(), states_.back().mesh, operations[i], step);
-    Deviation deviation = std::move(judgement.deviation);
-    CaseReport told = tell_step(program_, operations[i], std::move(judgement), outcome);
-    operations_.push_back(operations[i]);
-    states_.push_back({std::move(step.after), std::move(told), std::move(deviation)});
+    // What was done before may not be a mesh any more since the program was changed.
+    if (!trouble_with(operations[i], states_.back().mesh).empty())
+      return stop_at(operations[i], outcome);
+    take_step(operations[i], outcome, outcome.steps[i]);
   }
   position_ = operations_.size();
-  if (outcome.steps.size() == operations.size()) return;
-  const ViewOperation& stopped_at = operations[outcome.steps.size()];
-  StoppedStep stop{stopped_at, {}, std::nullopt};
-  if (outcome.ending == Ending::kDone) {
-    CaseJudgement gone;
-    gone.verdict = Verdict::kNotJudged;
-    gone.note = edge_name(stopped_at.edge) + " is not there any more";
-    stop.told = tell_step(program_, stopped_at, std::move(gone), outcome);
+  if (outcome.steps.size() < operations.size())
+    stop_at(operations[outcome.steps.size()], outcome);
+}
+
+void MeshSession::take_step(const ViewOperation& operation, const Outcome& outcome,
+                            const std::string& bytes) {
+  const MeshDump& before = states_.back().mesh;
+  ViewState state;
+  CaseJudgement judgement;
+  if (are_for_polygons(verbs_)) {
+    auto step = from_wire<PolygonViewStep>(bytes);
+    judgement = judge_polygon_step(program_.assignment(), before, operation, step);
+    if (is_built_anew(operation, before)) state.begun_with = mesh_begun_with(before, operation);
+    state.mesh = std::move(step.after);
   } else {
-    stop.told =
-        tell_step(program_, stopped_at,
-                  judge_stop(program_.assignment(), start_, stopped_at, outcome), outcome);
+    auto step = from_wire<ViewStep>(bytes);
+    judgement = judge_view_step(program_.assignment(), before, operation, step);
+    state.mesh = std::move(step.after);
   }
+  state.deviation = std::move(judgement.deviation);
+  state.told = tell_step(program_, operation, std::move(judgement), outcome);
+  operations_.push_back(operation);
+  states_.push_back(std::move(state));
+}
+
+/// Tells why an operation did not come to its end.
+void MeshSession::stop_at(const ViewOperation& operation, const Outcome& outcome) {
+  position_ = operations_.size();
+  StoppedStep stop{operation, {}, std::nullopt};
+  const std::string trouble = trouble_with(operation, states_.back().mesh);
+  if (!trouble.empty() || outcome.ending == Ending::kDone) {
+    CaseJudgement undone;
+    undone.verdict = Verdict::kNotJudged;
+    undone.note = trouble.empty() ? "the mesh is broken: it was not done" : trouble;
+    stop.told = tell_step(program_, operation, std::move(undone), outcome);
+    stopped_ = std::move(stop);
+    return;
+  }
+  stop.told = tell_step(program_, operation,
+                        judge_stop(program_.assignment(), start_, operation, outcome), outcome);
   if (!outcome.interrupted.empty()) {
-    stop.mesh = from_wire<ViewStep>(outcome.interrupted).after;
+    stop.mesh = are_for_polygons(verbs_) ? from_wire<PolygonViewStep>(outcome.interrupted).after
+                                         : from_wire<ViewStep>(outcome.interrupted).after;
   }
   stopped_ = std::move(stop);
 }
 
 void MeshSession::apply(const ViewOperation& operation) {
   if (states_.empty()) throw UserError("there is no mesh yet");
-  const std::vector<EdgeRecord>& edges = states_[position_].mesh.edges;
-  const bool needs_edge = operation.kind != ViewKind::kSubdivide;
-  if (needs_edge && (operation.edge >= edges.size() || edges[operation.edge].live == 0)) {
-    throw UserError("there is no edge " + edge_name(operation.edge));
-  }
+  const std::string trouble = trouble_with(operation, states_[position_].mesh);
+  if (!trouble.empty()) throw UserError(trouble);
   operations_.resize(position_);
   states_.resize(position_ + 1);
   extend({operation});
+}
+
+const MeshDump& MeshSession::mesh_before(std::size_t position) const {
+  const std::optional<MeshDump>& anew = states_.at(position).begun_with;
+  return anew ? *anew : states_.at(position - 1).mesh;
 }
 
 void MeshSession::go_to(std::size_t position) {
@@ -156,7 +208,7 @@ void MeshSession::go_to(std::size_t position) {
 std::vector<ViewLevel> MeshSession::levels() const {
   std::vector<ViewLevel> levels{{"level 0", 0}};
   for (std::size_t i = 0; i < position_; ++i) {
-    if (operations_[i].kind == ViewKind::kSubdivide) {
+    if (subdivides(operations_[i])) {
       levels.push_back({"level " + std::to_string(levels.size()), i});
     }
     levels.back().position = i + 1;

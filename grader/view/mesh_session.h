@@ -13,6 +13,7 @@
 
 #include "grader/view/step_judge.h"
 #include "grader/view/student_program.h"
+#include "grader/view/view_verbs.h"
 
 namespace meshgrade {
 
@@ -21,6 +22,8 @@ struct ViewState {
   MeshDump mesh;
   CaseReport told;      ///< what the judge says of the step, and what the code printed
   Deviation deviation;  ///< of a subdivision that has the right connectivity; else empty
+  /// What the step began with, where that is not the state before: the same, built anew.
+  std::optional<MeshDump> begun_with = std::nullopt;
 };
 
 /// A level of subdivision among the states of a session.
@@ -38,7 +41,7 @@ struct StoppedStep {
 
 class MeshSession {
  public:
-  explicit MeshSession(StudentProgram& program) : program_(program) {}
+  explicit MeshSession(StudentProgram& program);
 
   /// Begins anew with another mesh. `notes` is what there was to say when it was read.
   /// @throws UserError if half-edges cannot be made of it
@@ -50,7 +53,7 @@ class MeshSession {
   void rebuild();
 
   /// Runs an operation after the state that is looked at; what was undone is forgotten.
-  /// @throws UserError if there is no such edge
+  /// @throws UserError if there is no such element, or no mesh to begin with
   void apply(const ViewOperation& operation);
 
   /// Goes to the state after so many operations.
@@ -71,10 +74,14 @@ class MeshSession {
   const std::string& name() const { return name_; }
   const std::vector<std::string>& notes() const { return notes_; }
   const StudentProgram& program() const { return program_; }
+  const std::vector<ViewVerb>& verbs() const { return verbs_; }
   const std::vector<ViewOperation>& operations() const { return operations_; }
   /// One more than operations that came to their end: the first is the mesh as it was opened.
   const std::vector<ViewState>& states() const { return states_; }
   std::size_t position() const { return position_; }
+  /// What the step to a state began with.
+  /// @param position  not 0
+  const MeshDump& mesh_before(std::size_t position) const;
   const std::optional<StoppedStep>& stopped() const { return stopped_; }
   /// The last state of each level, up to the state that is looked at.
   std::vector<ViewLevel> levels() const;
@@ -84,8 +91,12 @@ class MeshSession {
               bool with_normals) const;
   void extend(const std::vector<ViewOperation>& operations);
   void take_steps(const std::vector<ViewOperation>& operations, const Outcome& outcome);
+  void take_step(const ViewOperation& operation, const Outcome& outcome,
+                 const std::string& bytes);
+  void stop_at(const ViewOperation& operation, const Outcome& outcome);
 
   StudentProgram& program_;
+  std::vector<ViewVerb> verbs_;
   std::string name_;
   std::vector<std::string> notes_;
   PolygonMesh start_;

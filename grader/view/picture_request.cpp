@@ -45,55 +45,128 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-[[noreturn]] void refuse_step(std::size_t number, const std::vector<std::string>& words,
-                              const std::string& why) {
-  throw UserError("--steps: step " + std::to_string(number) + ", \"" +
-                  printable(join(words, " ")) + "\", " + why +
-                  "; for example --steps \"flip e3, split e5, subdivide 2\"");
+/// "flip e3, split e5, subdivide 2"
+std::string example_of(const std::vector<ViewVerb>& verbs) {
+  std::vector<std::string> steps;
+  for (const ViewVerb& verb : verbs) {
+    if (verb.picked == 1 && steps.size() < 2)
+      steps.push_back(verb.word + " " + element_name(verb.picks, steps.empty() ? 3 : 5));
+  }
+  const auto whole = std::find_if(verbs.begin(), verbs.end(),
+                                  [](const ViewVerb& verb) { return verb.subdivides; });
+  if (whole != verbs.end()) steps.push_back(whole->word + " 2");
+  return join(steps, ", ");
 }
 
-/// The number in "e3".
-std::optional<Ref> edge_of(const std::string& word) {
-  if (word.size() < 2 || word[0] != 'e') return std::nullopt;
-  const std::optional<Ref> edge = number_of<Ref>(word.substr(1));
-  return edge && *edge < kBoundaryBit ? edge : std::nullopt;
+/// "flip, split and subdivide": each word once.
+std::string list_of_words(const std::vector<ViewVerb>& verbs) {
+  std::vector<std::string> words;
+  for (const ViewVerb& verb : verbs) {
+    if (std::find(words.begin(), words.end(), verb.word) == words.end())
+      words.push_back(verb.word);
+  }
+  const std::string last = words.back();
+  words.pop_back();
+  return words.empty() ? last : join(words, ", ") + " and " + last;
 }
 
-void add_step(std::size_t number, const std::vector<std::string>& words,
-              std::vector<ViewOperation>& steps) {
-  if (words.empty()) refuse_step(number, words, "is empty");
-  if (words[0] == "subdivide") {
-    const auto times = words.size() == 1 ? 1 : number_of<std::size_t>(words[1]);
-    if (words.size() > 2 || !times || *times == 0 || *times > kMostSubdivisions) {
-      refuse_step(number, words,
-                  "must say how often: \"subdivide\" or a number up to " +
-                      plural(kMostSubdivisions, "time"));
+/// An element by its name, "e3".
+struct Named {
+  ElementKind kind;
+  Ref number;
+};
+
+std::optional<Named> element_of(const std::string& word) {
+  if (word.size() < 2) return {};
+  const std::optional<Ref> number = number_of<Ref>(word.substr(1));
+  if (!number || *number >= kBoundaryBit) return {};
+  if (word[0] == 'v') return Named{ElementKind::kVertex, *number};
+  if (word[0] == 'e') return Named{ElementKind::kEdge, *number};
+  if (word[0] == 'f') return Named{ElementKind::kFace, *number};
+  return {};
+}
+
+/// Reads one step after the other.
+class StepReader {
+ public:
+  explicit StepReader(const std::vector<ViewVerb>& verbs) : verbs_(verbs) {}
+
+  std::vector<ViewOperation> read(const std::string& text) {
+    for (const std::string& part : split_at(text, ',')) {
+      words_ = words_of(part);
+      ++number_;
+      add_step();
     }
-    steps.insert(steps.end(), *times, {ViewKind::kSubdivide, kUnsetRef});
-    return;
+    return std::move(steps_);
   }
-  if (words[0] != "flip" && words[0] != "split") {
-    refuse_step(number, words, "is not one of flip, split and subdivide");
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw UserError("--steps: step " + std::to_string(number_) + ", \"" +
+                    printable(join(words_, " ")) + "\", " + why + "; for example --steps \"" +
+                    example_of(verbs_) + "\"");
   }
-  const std::optional<Ref> edge = words.size() == 2 ? edge_of(words[1]) : std::nullopt;
-  if (!edge) refuse_step(number, words, "must name one edge, as e3");
-  steps.push_back({words[0] == "flip" ? ViewKind::kFlip : ViewKind::kSplit, *edge});
-}
+
+  void add_step() {
+    if (words_.empty()) refuse("is empty");
+    const auto same = [&](const ViewVerb& verb) { return verb.word == words_[0]; };
+    const auto first = std::find_if(verbs_.begin(), verbs_.end(), same);
+    if (first == verbs_.end()) refuse("is not one of " + list_of_words(verbs_));
+    first->picked == 0 ? add_whole(*first) : add_picked(*first);
+  }
+
+  void add_whole(const ViewVerb& verb) {
+    const auto times = words_.size() == 1 ? 1 : number_of<std::size_t>(words_[1]);
+    if (words_.size() > 2 || !times || *times == 0 || *times > kMostSubdivisions) {
+      refuse("must say how often: \"" + verb.word + "\" or a number up to " +
+             plural(kMostSubdivisions, "time"));
+    }
+    steps_.insert(steps_.end(), *times, {verb.exercise, verb.picks, {}});
+  }
+
+  void add_picked(const ViewVerb& first) {
+    std::vector<Named> named;
+    for (std::size_t i = 1; i < words_.size(); ++i) {
+      const std::optional<Named> element = element_of(words_[i]);
+      if (element) named.push_back(*element);
+    }
+    const ViewVerb* verb =
+        named.empty() ? nullptr : find_verb(verbs_, first.word, named[0].kind);
+    if (verb == nullptr || named.size() + 1 != words_.size() || named.size() != verb->picked ||
+        named.back().kind != verb->picks)
+      refuse(must_name(first));
+    ViewOperation operation{verb->exercise, verb->picks, {}};
+    for (const Named& element : named)
+      operation.picked.push_back(element.number);
+    steps_.push_back(std::move(operation));
+  }
+
+  /// "must name one edge, as e3"
+  std::string must_name(const ViewVerb& verb) const {
+    const std::string kinds = picked_by_word(verbs_, verb.word);
+    const std::string example = element_name(verb.picks, 3);
+    if (verb.picked == 1) return "must name one " + kinds + ", as " + example;
+    return "must name two of the kind " + kinds + ", as " + example + " " +
+           element_name(verb.picks, 7);
+  }
+
+  const std::vector<ViewVerb>& verbs_;
+  std::vector<std::string> words_;
+  std::size_t number_ = 0;
+  std::vector<ViewOperation> steps_;
+};
 
 }  // namespace
 
-std::vector<ViewOperation> parse_steps(const std::string& text) {
-  std::vector<ViewOperation> steps;
-  std::size_t number = 0;
-  for (const std::string& part : split_at(text, ','))
-    add_step(++number, words_of(part), steps);
-  const auto subdivisions = static_cast<std::size_t>(std::count_if(
-      steps.begin(), steps.end(),
-      [](const ViewOperation& operation) { return operation.kind == ViewKind::kSubdivide; }));
+std::vector<ViewOperation> parse_steps(const std::string& text,
+                                       const std::vector<ViewVerb>& verbs) {
+  const std::vector<ViewOperation> steps = StepReader(verbs).read(text);
+  const auto subdivisions =
+      static_cast<std::size_t>(std::count_if(steps.begin(), steps.end(), subdivides));
   if (subdivisions > kMostSubdivisions || steps.size() > kMostSteps) {
     throw UserError("--steps: at most " + std::to_string(kMostSteps) + " steps, and at most " +
                     std::to_string(kMostSubdivisions) +
-                    " subdivisions among them: each makes four triangles of one");
+                    " subdivisions among them: each makes four faces of one");
   }
   return steps;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/cases/view_input.h"
+#include "grader/view/view_verbs.h"
 
 namespace meshgrade {
 
@@ -37,9 +37,10 @@ struct PictureRequest {
   bool compare = false;  ///< colour vertices by their distance from OpenSubdiv's answer
 };
 
-/// "flip e3, split e5, subdivide 2": steps with commas between them, at most kMostSteps.
+/// "flip e3, weld e5 e9, subdivide 2": steps with commas between them, at most kMostSteps.
 /// @throws UserError that names the step that cannot be read
-std::vector<ViewOperation> parse_steps(const std::string& text);
+std::vector<ViewOperation> parse_steps(const std::string& text,
+                                       const std::vector<ViewVerb>& verbs);
 
 /// "azimuth,elevation[,distance]"
 /// @throws UserError if these are not two or three numbers in their bounds

@@ -45,9 +45,22 @@ Json timeline_value(const MeshSession& session) {
   steps.push_back({{"label", "start"}, {"verdict", ""}});
   for (std::size_t i = 0; i < session.operations().size(); ++i) {
     steps.push_back({{"label", operation_text(session.operations()[i])},
+                     {"subdivides", subdivides(session.operations()[i])},
                      {"verdict", verdict_name(session.states()[i + 1].told.verdict)}});
   }
   return steps;
+}
+
+Json verbs_value(const std::vector<ViewVerb>& verbs) {
+  Json list = Json::array();
+  for (const ViewVerb& verb : verbs) {
+    list.push_back({{"word", verb.word},
+                    {"keys", verb.keys},
+                    {"picks", verb.picked == 0 ? "" : kind_name(verb.picks)},
+                    {"picked", verb.picked},
+                    {"subdivides", verb.subdivides}});
+  }
+  return list;
 }
 
 Json changes_value(const MeshDump& before, const MeshDump& after) {
@@ -61,10 +74,11 @@ Json whole_mesh(const MeshDump& mesh) {
 Json state_value(const MeshSession& session, std::size_t position,
                  const WriteMesh& write_mesh) {
   const ViewState& state = session.states()[position];
+  const FaceShape faces = faces_of(session.verbs());
   Json value{{"mesh", write_mesh(state.mesh)},
-             {"broken", to_json_value(find_broken_rules(state.mesh))}};
+             {"broken", to_json_value(find_broken_rules(state.mesh, faces))}};
   if (position == 0) return value;
-  const MeshDump& before = session.states()[position - 1].mesh;
+  const MeshDump& before = session.mesh_before(position);
   value["step"] = operation_text(session.operations()[position - 1]);
   value["told"] = to_json_value(state.told);
   value["before"] = write_mesh(before);
@@ -96,6 +110,8 @@ Json to_json_value(const MeshSession& session, const WriteMesh& write_mesh) {
   Json value{{"submission", session.program().name()},
              {"mesh", session.name()},
              {"notes", session.notes()},
+             {"verbs", verbs_value(session.verbs())},
+             {"has_normals", !are_for_polygons(session.verbs())},
              {"build", build_value(session.program())},
              {"timeline", timeline_value(session)},
              {"position", session.position()},
@@ -105,7 +121,8 @@ Json to_json_value(const MeshSession& session, const WriteMesh& write_mesh) {
     Json stopped{{"step", operation_text(stop.operation)}, {"told", to_json_value(stop.told)}};
     if (stop.mesh) {
       stopped["mesh"] = write_mesh(*stop.mesh);
-      stopped["broken"] = to_json_value(find_broken_rules(*stop.mesh));
+      stopped["broken"] =
+          to_json_value(find_broken_rules(*stop.mesh, faces_of(session.verbs())));
       stopped["changes"] = changes_value(session.states()[session.position()].mesh, *stop.mesh);
     }
     value["stopped"] = std::move(stopped);

@@ -7,9 +7,9 @@
 
 namespace meshgrade {
 
-/// What the page shows of a session: `submission`, `mesh`, `build`, `timeline`, `position`, the
-/// `state` that is looked at with the mesh `before` and, if it is wrong, `expected`, and what
-/// `stopped`. docs/viewer.md explains the keys.
+/// What the page shows of a session: `submission`, `mesh`, `verbs`, `build`, `timeline`,
+/// `position`, the `state` that is looked at with the mesh `before` and, if it is wrong,
+/// `expected`, and what `stopped`. docs/viewer.md explains the keys.
 nlohmann::ordered_json to_json_value(const MeshSession& session);
 
 /// The same, with meshes as `write_mesh` gives them.

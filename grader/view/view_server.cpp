@@ -63,13 +63,20 @@ std::uint32_t whole_number(const Json& request, const char* key) {
   return value.get<std::uint32_t>();
 }
 
-ViewOperation operation_of(const Json& request) {
-  const std::string kind = request.at("kind");
-  if (kind == "subdivide") return {ViewKind::kSubdivide, kUnsetRef};
-  const Ref edge = whole_number(request, "edge");
-  if (kind == "flip") return {ViewKind::kFlip, edge};
-  if (kind == "split") return {ViewKind::kSplit, edge};
-  throw UserError("there is no operation " + kind);
+/// {"kind": "collapse", "face": 2}, {"kind": "weld", "edge": 3, "partner": 7}
+ViewOperation operation_of(const std::vector<ViewVerb>& verbs, const Json& request) {
+  const std::string word = request.at("kind");
+  for (const ViewVerb& verb : verbs) {
+    const char* kind = kind_name(verb.picks);
+    if (verb.word != word || (verb.picked > 0 && !request.contains(kind))) continue;
+    ViewOperation operation{verb.exercise, verb.picks, {}};
+    if (verb.picked > 0) operation.picked.push_back(whole_number(request, kind));
+    if (verb.picked > 1) operation.picked.push_back(whole_number(request, "partner"));
+    return operation;
+  }
+  const std::string kinds = picked_by_word(verbs, word);
+  if (!kinds.empty()) throw BadRequest(word + " takes: " + kinds);
+  throw UserError("there is no operation " + word);
 }
 
 /// A mesh that the page has sent, read like any file of its name.
@@ -187,7 +194,7 @@ class ViewServer::Impl {
     });
     add_action("/state", [](MeshSession&, const Json&) {});
     add_action("/step", [](MeshSession& session, const Json& request) {
-      session.apply(operation_of(request));
+      session.apply(operation_of(session.verbs(), request));
     });
     add_action("/go", [](MeshSession& session, const Json& request) {
       session.go_to(whole_number(request, "position"));

@@ -17,6 +17,7 @@
 
 #include "grader/cases/view_input.h"
 #include "grader/worker/exercises.h"
+#include "grader/worker/polygon_view.h"
 #include "grader/worker/view_task.h"
 #include "meshedit/fault.h"
 
@@ -42,17 +43,22 @@ std::vector<std::uint64_t> call_stack() {
   return stack;
 }
 
-void run_exercise(const Task& task, Recorder& recorder) {
-  WireReader input(task.input);
+void run_exercise(const std::string& exercise, WireReader& input, Recorder& recorder) {
 #define MESHGRADE_EXERCISE(name) \
-  if (task.exercise == #name) return run_##name(input, recorder);
+  if (exercise == #name) return run_##name(input, recorder);
 #include "exercise_list.inc"
 #define MESHGRADE_LOCAL_OPERATION(name) MESHGRADE_EXERCISE(name)
 #include "local_operation_list.inc"
 #undef MESHGRADE_LOCAL_OPERATION
 #undef MESHGRADE_EXERCISE
+  throw WireError("no such exercise: " + exercise);
+}
+
+void run_asked(const Task& task, Recorder& recorder) {
+  WireReader input(task.input);
   if (task.exercise == kViewTask) return run_view(input, recorder);
-  throw WireError("no such exercise: " + task.exercise);
+  if (task.exercise == kPolygonViewTask) return run_polygon_view(input, recorder, run_exercise);
+  run_exercise(task.exercise, input, recorder);
 }
 
 [[noreturn]] void end_task(EndFrame frame) {
@@ -198,7 +204,7 @@ void run_task(const Task& task, const Patience& patience) {
   set_timer(patience.cpu_limit(task));
   EndFrame frame;
   try {
-    run_exercise(task, recorder);
+    run_asked(task, recorder);
   } catch (const WireError& error) {  // nothing of the student's throws this
     frame.ending = Ending::kWorkerFailed;
     frame.subject = error.what();

@@ -8,10 +8,9 @@
 
 #include "grader/base/wire.h"
 #include "grader/cases/local_operation_input.h"
-#include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
+#include "grader/worker/bench.h"
 #include "grader/worker/recorder.h"
-#include "meshedit/poly_mesh.h"
 
 namespace meshgrade {
 namespace local_operations_detail {
@@ -59,27 +58,25 @@ using MaybeHandle = std::optional<meshedit::Handle<Out>>;
 template <class... In, class Operation>
 void run_picked_operations(WireReader& input, Recorder& recorder, Operation operation) {
   const auto asked = input.read<LocalOperationInput>();
-  meshedit::PolyMesh mesh;
-  build_mesh(asked.mesh, mesh);
-  for (std::uint32_t i = 0; i < asked.anchor_turns; ++i)
-    anchor_elsewhere(mesh);
-  for (std::size_t i = 0; i + sizeof...(In) <= asked.places.size(); i += sizeof...(In)) {
-    const auto elements = local_operations_detail::pick_all<In...>(
-        mesh, &asked.places[i], std::index_sequence_for<In...>());
-    LocalStep step;
-    step.picked = dump_handle(mesh, std::get<0>(elements));
-    if constexpr (sizeof...(In) == 2) step.partner = dump_handle(mesh, std::get<1>(elements));
-    recorder.set_state_source([&mesh, step]() mutable {
+  with_mesh(asked.mesh, asked.anchor_turns, [&](meshedit::PolyMesh& mesh) {
+    for (std::size_t i = 0; i + sizeof...(In) <= asked.places.size(); i += sizeof...(In)) {
+      const auto elements = local_operations_detail::pick_all<In...>(
+          mesh, &asked.places[i], std::index_sequence_for<In...>());
+      LocalStep step;
+      step.picked = dump_handle(mesh, std::get<0>(elements));
+      if constexpr (sizeof...(In) == 2) step.partner = dump_handle(mesh, std::get<1>(elements));
+      recorder.set_state_source([&mesh, step]() mutable {
+        step.after = dump_mesh(mesh);
+        return to_wire(step);
+      });
+      const auto returned =
+          std::apply([&](auto... element) { return (mesh.*operation)(element...); }, elements);
+      step.refused = returned ? 0 : 1;
+      if (returned) step.returned = dump_handle(mesh, *returned);
       step.after = dump_mesh(mesh);
-      return to_wire(step);
-    });
-    const auto returned =
-        std::apply([&](auto... element) { return (mesh.*operation)(element...); }, elements);
-    step.refused = returned ? 0 : 1;
-    if (returned) step.returned = dump_handle(mesh, *returned);
-    step.after = dump_mesh(mesh);
-    recorder.add_step(step);
-  }
+      recorder.add_step(step);
+    }
+  });
 }
 
 template <class Out, class In>

@@ -9,12 +9,20 @@
 
 namespace meshgrade {
 
-/// The steps of the task that is running. One object, owned by the worker's main loop.
+/// The steps of the task that is running. One object, owned by the worker's main loop; the
+/// viewer's task has another one for each function that it calls.
 class Recorder {
  public:
+  Recorder() = default;
+
+  /// Gives packed steps to somebody else, and not to the result file.
+  explicit Recorder(std::function<void(std::string)> receiver)
+      : receiver_(std::move(receiver)) {}
+
   /// Adds the packed result of a completed step to the result file.
   template <class T>
   void add_step(const T& value) {
+    if (receiver_) return receiver_(to_wire(value));
     write_step(to_wire(value));
   }
 
@@ -28,6 +36,7 @@ class Recorder {
   void write_step(const std::string& bytes);
 
   std::function<std::string()> state_;
+  std::function<void(std::string)> receiver_;
 };
 
 }  // namespace meshgrade

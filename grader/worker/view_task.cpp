@@ -1,5 +1,7 @@
 #include "grader/worker/view_task.h"
 
+#include <optional>
+
 #include "grader/cases/view_input.h"
 #include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
@@ -17,11 +19,16 @@ meshedit::EdgeIter edge_of(const meshedit::HalfedgeMesh& mesh, Ref number) {
   return Inspector::handle(edges.at(number));
 }
 
-Ref call(meshedit::HalfedgeMesh& mesh, ViewKind kind, const meshedit::EdgeIter& edge) {
-  if (kind == ViewKind::kFlip) return dump_handle(mesh, mesh.flipEdge(edge));
-  if (kind == ViewKind::kSplit) return dump_handle(mesh, mesh.splitEdge(edge));
-  meshedit::MeshResampler().upsample(mesh);
-  return kUnsetRef;
+/// @return what the function returned; nothing if the edge is not there
+std::optional<Ref> call(meshedit::HalfedgeMesh& mesh, const ViewOperation& operation) {
+  if (operation.picked.empty()) {
+    meshedit::MeshResampler().upsample(mesh);
+    return kUnsetRef;
+  }
+  const meshedit::EdgeIter edge = edge_of(mesh, operation.picked[0]);
+  if (edge == meshedit::EdgeIter()) return {};
+  if (operation.exercise == "edge_flip") return dump_handle(mesh, mesh.flipEdge(edge));
+  return dump_handle(mesh, mesh.splitEdge(edge));
 }
 
 }  // namespace
@@ -32,11 +39,9 @@ void run_view(WireReader& input, Recorder& recorder) {
   build_mesh(asked.mesh, mesh);
   recorder.set_state_source([&mesh] { return to_wire(ViewStep{kUnsetRef, dump_mesh(mesh)}); });
   for (std::uint32_t i = 0; i < asked.operations.size(); ++i) {
-    const ViewOperation& operation = asked.operations[i];
-    const meshedit::EdgeIter edge = edge_of(mesh, operation.edge);
-    if (operation.kind != ViewKind::kSubdivide && edge == meshedit::EdgeIter()) return;
-    const Ref returned = call(mesh, operation.kind, edge);
-    if (i >= asked.first_told) recorder.add_step(ViewStep{returned, dump_mesh(mesh)});
+    const std::optional<Ref> returned = call(mesh, asked.operations[i]);
+    if (!returned) return;
+    if (i >= asked.first_told) recorder.add_step(ViewStep{*returned, dump_mesh(mesh)});
   }
   if (!asked.normals) return;
   for (meshedit::VertexCIter v = mesh.verticesBegin(); v != mesh.verticesEnd(); ++v) {

@@ -4,18 +4,12 @@
 
 #include "grader/base/wire.h"
 #include "grader/cases/whole_mesh_input.h"
-#include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
+#include "grader/worker/bench.h"
 #include "grader/worker/recorder.h"
-#include "meshedit/poly_mesh.h"
 
 namespace meshgrade {
 namespace whole_mesh_detail {
-
-inline void turn_anchors(meshedit::HalfedgeMesh& mesh, std::uint32_t turns) {
-  for (std::uint32_t i = 0; i < turns; ++i)
-    anchor_elsewhere(mesh);
-}
 
 template <class Element>
 std::vector<PlacedElement> dump_positions(
@@ -34,13 +28,34 @@ std::vector<PlacedElement> dump_positions(
 template <class Call>
 void run_on_whole_mesh(WireReader& input, Recorder& recorder, Call call) {
   const auto asked = input.read<WholeMeshInput>();
-  meshedit::PolyMesh mesh;
-  build_mesh(asked.mesh, mesh);
-  whole_mesh_detail::turn_anchors(mesh, asked.anchor_turns);
-  recorder.set_state_source([&mesh] { return to_wire(dump_mesh(mesh)); });
-  for (std::uint32_t i = 0; i < asked.times; ++i)
-    recorder.add_step(call(mesh));
+  with_mesh(asked.mesh, asked.anchor_turns, [&](meshedit::PolyMesh& mesh) {
+    recorder.set_state_source([&mesh] { return to_wire(dump_mesh(mesh)); });
+    for (std::uint32_t i = 0; i < asked.times; ++i)
+      recorder.add_step(call(mesh));
+  });
 }
+
+namespace whole_mesh_detail {
+
+/// Calls a function that computes where the vertices of the next level lie, and records a
+/// RefinementStep. @return the next level, if there is one
+inline std::optional<PolygonMesh> refine(
+    meshedit::PolyMesh& mesh, Recorder& recorder,
+    meshedit::RefinedPositions (meshedit::PolyMesh::*function)()) {
+  const MeshDump before = dump_mesh(mesh);
+  const meshedit::RefinedPositions positions = (mesh.*function)();
+  RefinementStep step;
+  step.after = dump_mesh(mesh);
+  step.vertices = dump_positions(mesh, positions.vertices);
+  step.edges = dump_positions(mesh, positions.edges);
+  step.faces = dump_positions(mesh, positions.faces);
+  recorder.add_step(step);
+  const auto points = complete_points(before, step);
+  if (!points) return {};
+  return refined_mesh(before, *points);
+}
+
+}  // namespace whole_mesh_detail
 
 /// The same for a function that computes where the vertices of the next level lie: records a
 /// RefinementStep after each call, makes the next level, and asks again. Ends where there is
@@ -48,23 +63,15 @@ void run_on_whole_mesh(WireReader& input, Recorder& recorder, Call call) {
 inline void run_refinements(WireReader& input, Recorder& recorder,
                             meshedit::RefinedPositions (meshedit::PolyMesh::*function)()) {
   const auto asked = input.read<WholeMeshInput>();
-  PolygonMesh polygons = asked.mesh;
-  for (std::uint32_t level = 0; level < asked.times; ++level) {
-    meshedit::PolyMesh mesh;
-    build_mesh(polygons, mesh);
-    whole_mesh_detail::turn_anchors(mesh, asked.anchor_turns);
-    const MeshDump before = dump_mesh(mesh);
-    const meshedit::RefinedPositions positions = (mesh.*function)();
-    RefinementStep step;
-    step.after = dump_mesh(mesh);
-    step.vertices = whole_mesh_detail::dump_positions(mesh, positions.vertices);
-    step.edges = whole_mesh_detail::dump_positions(mesh, positions.edges);
-    step.faces = whole_mesh_detail::dump_positions(mesh, positions.faces);
-    recorder.add_step(step);
-    const auto points = complete_points(before, step);
-    if (!points) return;
-    polygons = refined_mesh(before, *points);
+  std::optional<PolygonMesh> level = asked.mesh;
+  for (std::uint32_t i = 0; i < asked.times && level; ++i) {
+    std::optional<PolygonMesh> next;
+    with_mesh(*level, asked.anchor_turns, [&](meshedit::PolyMesh& mesh) {
+      next = whole_mesh_detail::refine(mesh, recorder, function);
+    });
+    level = std::move(next);
   }
+  if (viewers_bench != nullptr && level) viewers_bench->put(*level);
 }
 
 }  // namespace meshgrade

@@ -25,8 +25,8 @@ bool is_plain(const std::string& name) {
 
 class RubricReader {
  public:
-  RubricReader(fs::path folder, fs::path meshes)
-      : folder_(std::move(folder)), meshes_(std::move(meshes)) {}
+  RubricReader(fs::path folder, fs::path meshes, const std::vector<ViewVerb>& verbs)
+      : folder_(std::move(folder)), meshes_(std::move(meshes)), verbs_(verbs) {}
 
   WriteupRubric read(TomlSection& root) {
     if (root.require<std::int64_t>("version") != 1) root.fail_at("version", "must be 1");
@@ -147,11 +147,11 @@ class RubricReader {
     });
   }
 
-  static void read_mesh_picture(TomlSection& section, PicturePlan& plan) {
+  void read_mesh_picture(TomlSection& section, PicturePlan& plan) {
     plan.kind = PictureKind::kMesh;
     plan.mesh = read_at(section, [&] { return read_mesh(plan.file).mesh; });
     told_at(section, "steps", [&](const std::string& text) {
-      if (!text.empty()) plan.request.steps = parse_steps(text);
+      if (!text.empty()) plan.request.steps = parse_steps(text, verbs_);
     });
     read_camera(section, plan.request);
     plan.request.levels = section.get("levels", false);
@@ -168,18 +168,20 @@ class RubricReader {
 
   fs::path folder_;
   fs::path meshes_;
+  const std::vector<ViewVerb>& verbs_;
   std::set<std::string> names_;
 };
 
 }  // namespace
 
-WriteupRubric read_rubric(const fs::path& file, const fs::path& meshes) {
+WriteupRubric read_rubric(const fs::path& file, const fs::path& meshes,
+                          const std::vector<ViewVerb>& verbs) {
   const std::string name = file.string();
   const std::string text = read_whole_file(file);
   try {
     const toml::table table = toml::parse(text, name);
     TomlSection root(table, name, "");
-    return RubricReader(file.parent_path(), meshes).read(root);
+    return RubricReader(file.parent_path(), meshes, verbs).read(root);
   } catch (const toml::parse_error& error) {
     throw UserError(name + ":" + std::to_string(error.source().begin.line) + ": " +
                     std::string(error.description()));

@@ -44,8 +44,10 @@ struct WriteupRubric {
 
 /// Reads a rubric and the meshes, curves and surfaces that it names: from beside it, or else
 /// from `meshes`. A curve that is to be shown level by level becomes a picture for each.
+/// @param verbs  what steps may be; those of meshes of triangles if not given
 /// @throws UserError that names the file, the line and the key
 WriteupRubric read_rubric(const std::filesystem::path& file,
-                          const std::filesystem::path& meshes);
+                          const std::filesystem::path& meshes,
+                          const std::vector<ViewVerb>& verbs = view_verbs({}));
 
 }  // namespace meshgrade

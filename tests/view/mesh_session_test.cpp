@@ -17,12 +17,12 @@ const std::vector<std::string> kFlip{"edge_flip.cpp"};
 const std::vector<std::string> kAll{"edge_flip.cpp", "edge_split.cpp", "loop_subdivision.cpp"};
 
 ViewOperation flip(Ref edge) {
-  return {ViewKind::kFlip, edge};
+  return {"edge_flip", ElementKind::kEdge, {edge}};
 }
 ViewOperation split(Ref edge) {
-  return {ViewKind::kSplit, edge};
+  return {"edge_split", ElementKind::kEdge, {edge}};
 }
-constexpr ViewOperation kSubdivide{ViewKind::kSubdivide, kUnsetRef};
+const ViewOperation kSubdivide{"loop_subdivision", ElementKind::kEdge, {}};
 
 bool same(const MeshDump& a, const MeshDump& b) {
   return to_wire(a) == to_wire(b);
@@ -73,7 +73,7 @@ TEST(MeshSession, StepAfterAnUndoForgetsWhatWasUndone) {
   const MeshDump flipped = student.mesh();
   student.session->apply(flip(7));
   EXPECT_EQ(student.session->operations().size(), 2U);
-  EXPECT_EQ(student.session->operations()[1].edge, 7U);
+  EXPECT_EQ(student.session->operations()[1].picked.at(0), 7U);
   EXPECT_TRUE(same(student.session->states()[1].mesh, flipped));
 }
 
@@ -134,7 +134,7 @@ TEST(MeshSession, StoppedStepIsGoneAfterAnUndoButNotAfterASaveThatChangesNothing
   student.session->apply(flip(4));
   student.session->rebuild();
   ASSERT_TRUE(student.session->stopped());
-  EXPECT_EQ(student.session->stopped()->operation.edge, 4U);
+  EXPECT_EQ(student.session->stopped()->operation.picked.at(0), 4U);
   student.session->go_to(0);
   EXPECT_FALSE(student.session->stopped());
 }
@@ -185,7 +185,7 @@ TEST(MeshSession, StepOnAnEdgeThatANewProgramDoesNotMakeIsTold) {
                                      "return e0->halfedge()->vertex();"));
   student.session->rebuild();
   ASSERT_TRUE(student.session->stopped());
-  EXPECT_EQ(student.session->stopped()->operation.edge, made);
+  EXPECT_EQ(student.session->stopped()->operation.picked.at(0), made);
   EXPECT_EQ(student.session->stopped()->told.verdict, Verdict::kNotJudged);
   EXPECT_EQ(student.session->position(), 1U);
 }

@@ -100,7 +100,8 @@ TEST(PageAnswer, LargeMeshIsBytesThatSayTheSameAlsoAfterAStep) {
   const Unpacked start = unpack(answer_for_page(*student.session));
   EXPECT_EQ(mesh_from(start, start.json["state"]["mesh"]), to_json_value(student.mesh()));
 
-  student.session->apply({ViewKind::kFlip, middle_diagonal(student.mesh(), 104)});
+  student.session->apply(
+      {"edge_flip", ElementKind::kEdge, {middle_diagonal(student.mesh(), 104)}});
   const Unpacked flipped = unpack(answer_for_page(*student.session));
   EXPECT_EQ(flipped.json["state"]["told"]["verdict"], "passed");
   EXPECT_EQ(mesh_from(flipped, flipped.json["state"]["before"]),
@@ -113,7 +114,8 @@ TEST(PageAnswer, LargeMeshThatWasLeftHalfDoneComesToo) {
                   flip_file("e0->halfedge()->next() = e0->halfedge();\n"
                             "return HalfedgeIter()->edge();"));
   student.session->open("grid", grid_of(104));
-  student.session->apply({ViewKind::kFlip, middle_diagonal(student.mesh(), 104)});
+  student.session->apply(
+      {"edge_flip", ElementKind::kEdge, {middle_diagonal(student.mesh(), 104)}});
   ASSERT_TRUE(student.session->stopped());
   ASSERT_TRUE(student.session->stopped()->mesh);
   const Unpacked answer = unpack(answer_for_page(*student.session));

@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "grader/view/step_judge.h"
 #include "tests/support/user_error.h"
 
 namespace meshgrade {
@@ -15,9 +14,13 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
+std::vector<ViewOperation> triangle_steps(const std::string& text) {
+  return parse_steps(text, view_verbs({}));
+}
+
 std::vector<std::string> texts(const std::string& steps) {
   std::vector<std::string> list;
-  for (const ViewOperation& operation : parse_steps(steps))
+  for (const ViewOperation& operation : triangle_steps(steps))
     list.push_back(operation_text(operation));
   return list;
 }
@@ -38,22 +41,23 @@ TEST(PictureSteps, AStepThatCannotBeReadIsNamedWithItsNumberAndAnExample) {
        {"flop e3", "flip", "flip 3", "flip e", "flip e-1", "flip e3 e4", "flip v3", "split e3x",
         "subdivide 0", "subdivide 8", "subdivide -1", "subdivide two", "subdivide 1 2",
         "flip e4294967295", "flip e99999999999"}) {
-    EXPECT_THAT(complaint(parse_steps, std::string("subdivide, ") + bad),
+    EXPECT_THAT(complaint(triangle_steps, std::string("subdivide, ") + bad),
                 AllOf(HasSubstr(std::string("step 2, \"") + bad + "\""),
                       HasSubstr("for example --steps \"flip e3")))
         << bad;
   }
-  EXPECT_THAT(complaint(parse_steps, "flip e3,,split e5"), HasSubstr("step 2, \"\", is empty"));
-  EXPECT_THAT(complaint(parse_steps, "flip e3,"), HasSubstr("step 2"));
+  EXPECT_THAT(complaint(triangle_steps, "flip e3,,split e5"),
+              HasSubstr("step 2, \"\", is empty"));
+  EXPECT_THAT(complaint(triangle_steps, "flip e3,"), HasSubstr("step 2"));
 }
 
 TEST(PictureSteps, MoreThanAMachineCanDoIsRefused) {
   EXPECT_EQ(texts("subdivide 7").size(), 7U);
-  EXPECT_THAT(complaint(parse_steps, "subdivide 4, subdivide 4"), HasSubstr("at most 7"));
+  EXPECT_THAT(complaint(triangle_steps, "subdivide 4, subdivide 4"), HasSubstr("at most 7"));
   std::string many = "flip e0";
   for (int i = 0; i < 200; ++i)
     many += ",flip e0";
-  EXPECT_THAT(complaint(parse_steps, many), HasSubstr("at most 200 steps"));
+  EXPECT_THAT(complaint(triangle_steps, many), HasSubstr("at most 200 steps"));
 }
 
 TEST(PictureCamera, TwoOrThreeNumbersAreReadAndTheDistanceHasADefault) {
@@ -81,7 +85,7 @@ TEST(PictureSizes, WidthAndHeightAreReadAndAnythingElseIsRefused) {
 }
 
 TEST(PictureOptions, ControlCharactersDoNotReachTheTerminal) {
-  EXPECT_THAT(complaint(parse_steps, "\x1b[31mflip e3"), testing::Not(HasSubstr("\x1b")));
+  EXPECT_THAT(complaint(triangle_steps, "\x1b[31mflip e3"), testing::Not(HasSubstr("\x1b")));
   EXPECT_THAT(complaint(parse_camera, "\x1b[31m"), testing::Not(HasSubstr("\x1b")));
 }
 

@@ -1,6 +1,7 @@
 // What the program that serves this page answers.
 
 import type { MeshJson } from '../model/mesh';
+import type { Verb } from '../model/verbs';
 import type { Case, PointerChange, RuleBreak, StateJson } from '../model/types';
 
 export interface LiveState {
@@ -8,8 +9,11 @@ export interface LiveState {
   mesh: string;
   /** What there was to say when the mesh was read. */
   notes: string[];
+  verbs: Verb[];
+  /** Whether the student's vertex normals can be asked for. */
+  has_normals: boolean;
   build: { number: number; compiled: boolean; files: { name: string; compiled: boolean; messages: string }[] };
-  timeline: { label: string; verdict: string }[];
+  timeline: { label: string; verdict: string; subdivides?: boolean }[];
   position: number;
   state: StateJson;
   stopped?: {
@@ -41,5 +45,3 @@ export interface IsocurvesAnswer {
   along_u: (Point3 | null)[];
   along_v: (Point3 | null)[];
 }
-
-export type StepKind = 'flip' | 'split' | 'subdivide';

@@ -1,10 +1,11 @@
 // Talks to the program that serves this page.
 
 import type {
-  CurveAnswer, IsocurvesAnswer, LiveState, PatchAnswer, Point2, Point3, StepKind,
+  CurveAnswer, IsocurvesAnswer, LiveState, PatchAnswer, Point2, Point3,
 } from './answers';
 import { unpackLive } from './unpack';
 import type { StateJson } from '../model/types';
+import type { Verb } from '../model/verbs';
 
 export class Connection {
   constructor(private readonly token: string) {}
@@ -34,8 +35,12 @@ export class Connection {
   }
 
   look = (): Promise<LiveState> => this.post('/state', {});
-  step = (kind: StepKind, edge: number | null): Promise<LiveState> =>
-    this.post('/step', edge === null ? { kind } : { kind, edge });
+  step = (verb: Verb, picked: number[]): Promise<LiveState> =>
+    this.post('/step', {
+      kind: verb.word,
+      ...(verb.picked > 0 ? { [verb.picks]: picked[0] } : {}),
+      ...(verb.picked > 1 ? { partner: picked[1] } : {}),
+    });
   goTo = (position: number): Promise<LiveState> => this.post('/go', { position });
   open = (name: string, bytes: Uint8Array): Promise<LiveState> =>
     this.post(`/open?name=${encodeURIComponent(name)}`, bytes);

@@ -2,26 +2,29 @@
 
 import { button, el, keyButton, replace, type Child } from '../dom';
 import { saveFile, toGlb, toObj } from '../model/export';
-import { Mesh } from '../model/mesh';
+import { Mesh, parseElement } from '../model/mesh';
 import { findingBlock } from '../panels/case_card';
 import type { MeshState } from '../panels/marks';
 import { KeyHelp, VIEW_KEYS, type KeyRow } from '../panels/key_help';
 import { MeshPanel } from '../panels/mesh_panel';
 import { toneOf, verdictTag } from '../panels/verdict';
-import type { LiveState, StepKind } from './answers';
+import { keyName, meaning, pickedName, picksText, titleOf, wordOfKey, wordsOf, type Verb, type Word } from '../model/verbs';
+import type { LiveState } from './answers';
 import type { Connection } from './connection';
 import { LevelsCover } from './levels';
 import { buildTag, compilerBanner, output, verdict } from './shell';
 
-const MESH_KEYS: KeyRow[] = [
-  ['F, S', 'flip or split the selected edge'],
-  ['U or L', 'subdivide'],
-  ['Z, Y', 'undo, redo'],
-  ['Q', 'smooth shading by your normals, and the normals'],
-  ['V', 'all levels of subdivision beside each other'],
-  ['D', 'the distance from OpenSubdiv'],
-  ...VIEW_KEYS,
-];
+function keyRows(words: Word[], hasNormals: boolean): KeyRow[] {
+  return [
+    ...words.map((word): KeyRow => [[...word.keys].map(keyName).join(' or '),
+      word.verbs[0]!.picked === 0 ? `${word.word}, the whole mesh` : `${word.word} ${picksText(word)}`]),
+    ['Z, Y', 'undo, redo'],
+    ...(hasNormals ? [['Q', 'smooth shading by your normals, and the normals'] as KeyRow] : []),
+    ['V', 'all levels of subdivision beside each other'],
+    ['D', 'the distance from OpenSubdiv'],
+    ...VIEW_KEYS,
+  ];
+}
 
 const PLAIN = { broken: [], changes: [], wrong: [] };
 
@@ -55,6 +58,13 @@ export class LivePage {
   private readonly banner = el('div', { class: 'banner', role: 'alert' });
   private readonly told = el('div', { class: 'told' });
   private readonly levels = new LevelsCover();
+  private readonly help = new KeyHelp(VIEW_KEYS);
+  private readonly wordButtons = el('span', { class: 'verbs' });
+  private readonly smoothButton = keyButton('Smooth', 'Q', () => void this.toggleSmooth(),
+    { 'data-option': 'smooth', 'aria-pressed': 'false', hidden: true });
+  private words: Word[] = [];
+  /** The first of two elements, while the second is looked for. */
+  private first: { verb: Verb; index: number } | null = null;
   private live: LiveState | null = null;
   private normals: Float32Array | null = null;
   private busy = false;
@@ -92,23 +102,28 @@ export class LivePage {
       button('Open mesh', () => input.click()), input,
       button('Save OBJ', () => mesh() && saveFile(`${stem()}.obj`, toObj(mesh()!))),
       button('Save GLB', () => mesh() && saveFile(`${stem()}.glb`, toGlb(mesh()!))),
-      new KeyHelp(MESH_KEYS).button);
+      this.help.button);
   }
 
   private actions(): HTMLElement {
-    const smooth = keyButton('Smooth', 'Q', () => void this.toggleSmooth());
-    smooth.dataset['option'] = 'smooth';
-    smooth.setAttribute('aria-pressed', 'false');
     return el('div', { class: 'actions', role: 'group', 'aria-label': 'Operations' },
-      keyButton('Flip', 'F', () => this.step('flip')),
-      keyButton('Split', 'S', () => this.step('split')),
-      keyButton('Subdivide', 'U', () => this.step('subdivide')),
+      this.wordButtons,
       keyButton('Undo', 'Z', () => this.move(-1)),
       keyButton('Redo', 'Y', () => this.move(1)),
       keyButton('Next', 'N', () => this.panel.follow('next')),
       keyButton('Twin', 'T', () => this.panel.follow('twin')),
       keyButton('Half-edge', 'H', () => this.panel.follow('halfedge')),
-      smooth, this.levelsButton());
+      this.smoothButton, this.levelsButton());
+  }
+
+  /** The buttons of the student's functions, as the grader lists them. */
+  private takeVerbs(live: LiveState): void {
+    if (this.words.length > 0) return;
+    this.words = wordsOf(live.verbs);
+    replace(this.wordButtons, ...this.words.map((word) =>
+      keyButton(titleOf(word.word), word.keys === '' ? '' : keyName(word.keys.charAt(0)), () => this.step(word))));
+    this.smoothButton.hidden = !live.has_normals;
+    this.help.setRows(keyRows(this.words, live.has_normals));
   }
 
   private levelsButton(): HTMLButtonElement {
@@ -148,40 +163,49 @@ export class LivePage {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     if (target.closest('input, select, textarea')) return;
     const acts: Record<string, () => void> = {
-      f: () => this.step('flip'),
-      s: () => this.step('split'),
-      u: () => this.step('subdivide'),
-      l: () => this.step('subdivide'),
       z: () => this.move(event.shiftKey ? 1 : -1),
       y: () => this.move(1),
-      q: () => void this.toggleSmooth(),
       v: () => void this.toggleLevels(),
+      ...(this.live?.has_normals ? { q: () => void this.toggleSmooth() } : {}),
     };
-    const act = acts[event.key.toLowerCase()];
+    const word = event.key.length === 1 ? wordOfKey(this.words, event.key, event.shiftKey) : undefined;
+    const act = word ? () => this.step(word) : acts[event.key.toLowerCase()];
+    if (event.key === 'Escape') this.forgetFirst();
     if (act) act();
     else if (!this.panel.handleKey(event.key, event.shiftKey, target === document.body)) return;
     event.preventDefault();
   }
 
-  private step(kind: StepKind): void {
-    let edge: number | null = null;
-    if (kind !== 'subdivide') {
-      edge = this.selectedEdge();
-      if (edge === null) {
-        this.panel.say(`Select an edge or a half-edge to ${kind}.`);
+  private step(word: Word): void {
+    const mesh = this.live ? this.panel.states[this.panelCurrent()]?.mesh : undefined;
+    const { verb, picked } = meaning(word, this.panel.selected, mesh);
+    if (!verb) {
+      this.panel.say(`Select ${picksText(word)} to ${word.word}.`);
+      return;
+    }
+    const picks = picked === null ? [] : [picked];
+    if (verb.picked > 1 && picked !== null) {
+      if (this.first?.verb !== verb) {
+        this.keepFirst(verb, picked);
         return;
       }
+      picks.unshift(this.first.index);
     }
-    void this.run(() => this.connection.step(kind, edge), false);
+    this.forgetFirst();
+    void this.run(() => this.connection.step(verb, picks), false);
   }
 
-  private selectedEdge(): number | null {
-    const { selected } = this.panel;
-    const mesh = this.live && this.panel.states[this.panelCurrent()]?.mesh;
-    if (!selected || !mesh) return null;
-    if (selected.kind === 'e') return selected.index;
-    const edge = selected.kind === 'h' ? mesh.edge(selected.index) : -1;
-    return edge >= 0 ? edge : null;
+  private keepFirst(verb: Verb, index: number): void {
+    this.first = { verb, index };
+    this.panel.view?.markPicked(parseElement(pickedName(verb, index)));
+    const again = verb.keys === '' ? titleOf(verb.word) : keyName(verb.keys.charAt(0));
+    this.panel.say(`${titleOf(verb.word)} ${pickedName(verb, index)} with which ${verb.picks}? Select it, and ${again} again.`);
+  }
+
+  private forgetFirst(): void {
+    if (!this.first) return;
+    this.first = null;
+    this.panel.view?.markPicked(null);
   }
 
   private panelCurrent(): number {
@@ -256,7 +280,9 @@ export class LivePage {
   private draw(fit: boolean): void {
     const live = this.live!;
     document.title = `${live.mesh} – Meshgrade`;
-    const level = live.timeline.slice(0, live.position + 1).filter((s) => s.label === 'subdivide').length;
+    const level = live.timeline.slice(0, live.position + 1).filter((s) => s.subdivides).length;
+    this.takeVerbs(live);
+    this.forgetFirst();
     replace(this.title, el('span', {}, live.mesh),
       el('span', { class: 'quiet' }, ` with ${live.submission}${level > 0 ? `, level ${level}` : ''}`));
     this.drawBuild(live);

@@ -77,7 +77,8 @@ export interface FaceWalk {
   closed: boolean;
 }
 
-const LONGEST_WALK = 64;
+/** A walk that is longer than all half-edges of its face, and than this, does not close. */
+const LONG_WALK = 64;
 
 export class Mesh {
   readonly halfedgeCount: number;
@@ -87,6 +88,7 @@ export class Mesh {
   readonly boundaryCount: number;
   /** Made when they are asked for: not every mesh that comes is looked at. */
   private walks: FaceWalk[] | null = null;
+  private own: Uint32Array | null = null;
 
   constructor(private readonly data: MeshJson) {
     this.halfedgeCount = data.h.length / 6;
@@ -216,12 +218,28 @@ export class Mesh {
   walk(face: Element): FaceWalk {
     const start = this.halfedge(face);
     const halfedges: number[] = [];
+    const seen = new Set<number>();
+    const mayGoOn = (n: number): boolean => n < LONG_WALK || n < this.ownHalfedges(face);
     let h = start;
-    while (h >= 0 && halfedges.length < LONGEST_WALK && this.vertex(h) >= 0 && !halfedges.includes(h)) {
+    while (h >= 0 && mayGoOn(seen.size) && this.vertex(h) >= 0 && !seen.has(h)) {
       halfedges.push(h);
+      seen.add(h);
       h = this.next(h);
     }
     return { face, halfedges, closed: start >= 0 && h === start && halfedges.length >= 3 };
+  }
+
+  /** How many half-edges say that they lie in a face. */
+  private ownHalfedges({ kind, index }: Element): number {
+    if (kind !== 'f') return this.halfedgeCount;
+    if (!this.own) {
+      this.own = new Uint32Array(this.faceCount);
+      for (let h = 0; h < this.halfedgeCount; ++h) {
+        const face = this.face(h);
+        if (face?.kind === 'f') ++this.own[face.index]!;
+      }
+    }
+    return this.own[index] ?? 0;
   }
 
   counts(): string {

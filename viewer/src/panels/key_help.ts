@@ -1,6 +1,6 @@
 // The list of keys, on `?`.
 
-import { button, el, keyButton } from '../dom';
+import { button, el, keyButton, replace } from '../dom';
 
 export type KeyRow = [keys: string, what: string];
 
@@ -18,12 +18,13 @@ export const VIEW_KEYS: KeyRow[] = [
 export class KeyHelp {
   readonly button: HTMLButtonElement;
   private readonly dialog: HTMLDialogElement;
+  private readonly rows = el('tbody');
 
   constructor(rows: KeyRow[]) {
+    this.setRows(rows);
     this.dialog = el('dialog', { class: 'key-help', 'aria-label': 'Keys' },
       el('h2', {}, 'Keys'),
-      el('table', {}, el('tbody', {}, ...rows.map(([keys, what]) =>
-        el('tr', {}, el('th', { scope: 'row' }, el('kbd', {}, keys)), el('td', {}, what))))),
+      el('table', {}, this.rows),
       button('Close', () => this.dialog.close(), { class: 'primary' }));
     this.button = keyButton('Keys', '?', () => this.show());
     document.addEventListener('keydown', (event) => {
@@ -31,6 +32,11 @@ export class KeyHelp {
       event.preventDefault();
       this.show();
     });
+  }
+
+  setRows(rows: KeyRow[]): void {
+    replace(this.rows, ...rows.map(([keys, what]) =>
+      el('tr', {}, el('th', { scope: 'row' }, el('kbd', {}, keys)), el('td', {}, what))));
   }
 
   private show(): void {

@@ -182,7 +182,7 @@ export class MeshPanel {
       this.lists,
       deviation && legend(deviation, choose),
       !deviation && this.view?.options.compare && el('p', { class: 'note' },
-        'Nothing to compare here: subdivide by U; the mesh must be joined as it must be.'),
+        'Nothing to compare here: subdivide; the mesh must be joined as it must be.'),
       el('h3', {}, 'Mesh rules'),
       brokenRules(state.broken, choose),
       stale && el('h3', {}, 'Not changed, but must be'),

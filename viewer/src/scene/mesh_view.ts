@@ -100,6 +100,8 @@ export class MeshView {
   private normals: Float32Array | null = null;
   private vertexColors: (string | null)[] | null = null;
   private selected: Element | null = null;
+  /** What was picked before the selection, of two elements. */
+  private picked: Element | null = null;
   private labels: Label[] = [];
   private holeLabels: Label[] = [];
   private edgeLength = 0;
@@ -171,6 +173,12 @@ export class MeshView {
 
   select(element: Element | null): void {
     this.selected = element;
+    this.rebuildOverlay();
+  }
+
+  /** Marks the first of two elements that are picked; null: none. */
+  markPicked(element: Element | null): void {
+    this.picked = element;
     this.rebuildOverlay();
   }
 
@@ -312,7 +320,8 @@ export class MeshView {
     if (!this.mesh) return;
     clear(this.overlay);
     this.labels = [...this.holeLabels];
-    this.addSelection();
+    this.addSelection(this.picked);
+    this.addSelection(this.selected);
     this.addArcs();
     this.addWorst();
     for (const { points, color } of this.curves) {
@@ -396,8 +405,7 @@ export class MeshView {
   }
 
   /** The selected element, with the next and the twin of a half-edge. */
-  private addSelection(): void {
-    const element = this.selected;
+  private addSelection(element: Element | null): void {
     const mesh = this.mesh!;
     if (!element || !mesh.isLive(element)) return;
     const place = placeOf(mesh, this.maker!, element);

@@ -1,5 +1,6 @@
 // Turns a mesh into what is drawn: triangles, lines and the arrows of half-edges.
 
+import { ShapeUtils, Vector2 } from 'three';
 import type { Element, FaceWalk, Mesh } from '../model/mesh';
 
 export type Vec = [number, number, number];
@@ -30,6 +31,34 @@ export interface Surface {
   sides: Int32Array;
 }
 
+/** A fan from the first corner. */
+function fanOf(count: number): number[][] {
+  return Array.from({ length: count - 2 }, (_, i) => [0, i + 1, i + 2]);
+}
+
+/** Triangles between the corners of a polygon, which may be bent in and not quite flat. */
+function cutPolygon(points: Vec[], normal: Vec): number[][] {
+  const right = unit(sub(points[1]!, points[0]!));
+  const up = cross(normal, right);
+  const turns = points.map((p, i) => {
+    const [a, b] = [points.at(i - 1)!, points[(i + 1) % points.length]!];
+    return dot(cross(sub(p, a), sub(b, p)), normal);
+  });
+  if (turns.every((turn) => turn >= 0)) return fanOf(points.length);
+  const flat = points.map((p) => new Vector2(dot(p, right), dot(p, up)));
+  // In ascending order they are wound like the polygon.
+  const cut = ShapeUtils.triangulateShape(flat, []).map((t) => t.sort((a, b) => a - b));
+  // Corners in the same place are left out there: then anything is as good.
+  return cut.length === points.length - 2 ? cut : fanOf(points.length);
+}
+
+function trianglesOf(mesh: Mesh, walk: FaceWalk): number[][] {
+  const { halfedges } = walk;
+  const plane = halfedges.length > 3 ? planeOf(mesh, walk) : null;
+  if (!plane) return fanOf(halfedges.length);
+  return cutPolygon(halfedges.map((h) => mesh.position(mesh.vertex(h))), plane.normal);
+}
+
 /** The faces that close, cut into triangles. */
 export function surfaceOf(mesh: Mesh): Surface {
   const closed = mesh.faces().filter((walk) => walk.closed);
@@ -38,13 +67,16 @@ export function surfaceOf(mesh: Mesh): Surface {
   const faces = new Uint32Array(count);
   const sides = new Int32Array(3 * count);
   let t = 0;
-  for (const { face, halfedges: h } of closed) {
-    for (let i = 1; i + 1 < h.length; ++i, ++t) {
+  for (const walk of closed) {
+    const { face, halfedges: h } = walk;
+    for (const triangle of trianglesOf(mesh, walk)) {
       faces[t] = face.index;
-      [0, i, i + 1].forEach((k, corner) => (corners[3 * t + corner] = mesh.vertex(h[k]!)));
-      sides[3 * t] = i === 1 ? h[0]! : -1;
-      sides[3 * t + 1] = h[i]!;
-      sides[3 * t + 2] = i + 2 === h.length ? h[i + 1]! : -1;
+      triangle.forEach((k, corner) => {
+        corners[3 * t + corner] = mesh.vertex(h[k]!);
+        const follows = triangle[(corner + 1) % 3] === (k + 1) % h.length;
+        sides[3 * t + corner] = follows ? h[k]! : -1;
+      });
+      ++t;
     }
   }
   const positions = new Float32Array(3 * mesh.vertexCount);
