@@ -120,8 +120,7 @@ bool is_provided_by_scotty3d(const std::string& name) {
                               "set_corner_normals",
                               "set_corner_uvs_per_face",
                               "set_corner_uvs_project",
-                              "isotropic_remesh",
-                              "simplify"};
+                              "isotropic_remesh"};
   return provided.count(name) != 0;
 }
 

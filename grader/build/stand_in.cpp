@@ -44,7 +44,8 @@ std::optional<Submission> with_stand_ins(Submission submission, const Home& home
   // At the end, so that they go when there are two definitions, and not the student's file.
   for (const StandIn& stand_in : stand_ins) {
     const std::string name = file_name(stand_in);
-    std::string text = read_reference(home.reference / (stand_in.exercise + ".cpp"));
+    std::string text =
+        read_reference(home.reference / stand_in.folder / (stand_in.exercise + ".cpp"));
     const std::size_t at = text.find(stand_in.was);
     if (at == std::string::npos) return std::nullopt;
     text.replace(at, stand_in.was.size(), stand_in.becomes);

@@ -20,6 +20,7 @@ struct StandIn {
   /// A text of the reference and what stands in its place; both empty for the reference itself.
   std::string was = "";
   std::string becomes = "";
+  std::string folder = "";  ///< of the reference, in which the file is: Assignment::folder
 };
 
 /// The submission with these exercises taken out of its files and the reference's files put in,

@@ -72,7 +72,8 @@ class CalleeRun {
     const std::string names = short_names(wrong);
     const std::string note =
         short_name(caller) + " may call your " + names + ", which fails: see there first";
-    const StandIn stand_in{run_.judged.rubric->name, replaced, all_but(replaced)};
+    StandIn stand_in{run_.judged.rubric->name, replaced, all_but(replaced)};
+    stand_in.folder = assignment_.folder;
     const auto changed = with_stand_ins(candidate_.submission, home_, {stand_in});
     if (!changed) {
       run_.judged.notes.push_back(note +

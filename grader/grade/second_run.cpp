@@ -54,6 +54,13 @@ bool is_endless(const ExerciseRun& run) {
                      [](const Outcome& o) { return o.ending == Ending::kOutOfTime; });
 }
 
+/// The reference's solution of an exercise.
+StandIn stand_in_for(const Assignment& assignment, const ExerciseRubric& rubric) {
+  StandIn stand_in{rubric.name, find_exercise_judge(rubric).functions};
+  stand_in.folder = assignment.folder;
+  return stand_in;
+}
+
 /// Puts the cases that did not pass through the worker with stand-ins, and judges all anew.
 /// Those that did pass count as they came; but one that passes alone with the same stand-ins,
 /// and fails after other cases, does so by what the student's function keeps from call to call.
@@ -90,7 +97,7 @@ void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
   if (failed == cases.end() || needed.empty()) return;
   const Case& asked = run.cases[static_cast<std::size_t>(failed - cases.begin())];
   const ExerciseRubric& rubric = *needed.back().rubric;
-  const std::vector<StandIn> stand_in{{rubric.name, find_exercise_judge(rubric).functions}};
+  const std::vector<StandIn> stand_in{stand_in_for(assignment, rubric)};
   const auto changed = with_stand_ins(candidate.submission, home, stand_in);
   if (!changed) return;
   const Build build = build_submission(*changed, home, assignment.limits);
@@ -248,7 +255,7 @@ void run_with(const Assignment& assignment, const Home& home, const Candidate& c
   for (const JudgedExercise* exercise : wrong) {
     const ExerciseRubric& rubric = *exercise->rubric;
     names.push_back(rubric.name);
-    stand_ins.push_back({rubric.name, find_exercise_judge(rubric).functions});
+    stand_ins.push_back(stand_in_for(assignment, rubric));
     const std::string note =
         "your own " + rubric.name + " is part of this and " + state_of(*exercise);
     const auto& known = run.judged.notes;
@@ -260,8 +267,11 @@ void run_with(const Assignment& assignment, const Home& home, const Candidate& c
   const auto changed = with_stand_ins(candidate.submission, home, stand_ins);
   if (!changed) {
     run.judged.notes.push_back(
-        "your instructor's grader runs it again with a right solution of " + causes +
-        "; this package comes without one");
+        candidate.submission.dialect == Dialect::kScotty3d
+            ? "there is no right solution of " + causes +
+                  " for this homework, with which it could be run again: mend your own first"
+            : "your instructor's grader runs it again with a right solution of " + causes +
+                  "; this package comes without one");
     return;
   }
   const Build build = build_submission(*changed, home, assignment.limits);

@@ -36,6 +36,8 @@ const std::vector<Scotty3dFunction>& scotty3d_functions() {
   SCOTTY3D_NAMES(exercise, ours, theirs)
 #define SCOTTY3D_MESH_FUNCTION(exercise, ours, theirs, Result) \
   SCOTTY3D_NAMES(exercise, ours, theirs)
+#define SCOTTY3D_MESH_FUNCTION_OF(exercise, ours, theirs, Result, OurArgument, Argument) \
+  SCOTTY3D_NAMES(exercise, ours, theirs)
 #define SCOTTY3D_REFINEMENT(exercise, ours, theirs) SCOTTY3D_NAMES(exercise, ours, theirs)
 #define SCOTTY3D_PLACEMENT(exercise, ours, theirs) SCOTTY3D_NAMES(exercise, ours, theirs)
 #include "include/dropin_scotty3d/functions.inc"

@@ -105,11 +105,12 @@ INSTANTIATE_TEST_SUITE_P(
                                 {"face_collapse", "vertex_bevel", "edge_bevel", "face_remove",
                                  "edge_weld", "extrude_positions", "bevel_positions",
                                  "triangulation", "linear_subdivision", "catmull_clark",
-                                 "loop_refinement"}},
+                                 "loop_refinement", "simplification"}},
                     RightFolder{"of_2024", {}},
                     RightFolder{"of_2026",
                                 {"face_collapse", "edge_bevel", "face_remove", "edge_weld",
-                                 "bevel_positions", "linear_subdivision", "loop_refinement"}}),
+                                 "bevel_positions", "linear_subdivision", "loop_refinement",
+                                 "simplification"}}),
     [](const auto& tested) { return std::string(tested.param.folder); });
 
 TEST(Scotty3dHomework, AsHandedOutIsNotImplementedAndCompilesWhole) {
@@ -256,6 +257,13 @@ const Scotty3dMistake kScotty3dMistakes[] = {
      "position"},
     {"ThreeSixteenthsInWholeNumbers", "loop_refinement", "of_2024", "3.0f / 16.0f", "3 / 16",
      "position"},
+    {"OffsetOfThePlaneWithTheWrongSign", "simplification", "of_2024",
+     "plane(n, -dot(n, f->halfedge->vertex->position))",
+     "plane(n, dot(n, f->halfedge->vertex->position))", "new-position"},
+    {"GivesUpAtTheFirstRefusal", "simplification", "of_2024",
+     "for (EdgeRef e : was_in) if (e != best.edge) put_in(e);\n"
+     "\t\t\tcontinue;",
+     "return false;", "gave-up"},
     {"FailedAssertion", "vertex_inset", "of_2026",
      "VertexRef m = emplace_vertex();\n\tm->position = f->center();",
      "VertexRef m = emplace_vertex();\n\tassert(sides.size() == 4);\n\tm->position = "
@@ -265,6 +273,17 @@ const Scotty3dMistake kScotty3dMistakes[] = {
 
 INSTANTIATE_TEST_SUITE_P(Mistakes, WrongScotty3dHomework, testing::ValuesIn(kScotty3dMistakes),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(Scotty3dHomework, WhoseCollapseIsWrongIsToldToMendThatFirst) {
+  Submission submission = scotty3d_hand_in("of_2024");
+  replace_in_file(submission, "\terase_vertex(a);\n\terase_edge(e);", "\terase_edge(e);");
+  const ExerciseReport report = grade_scotty3d(submission, {"simplification"}).exercises.at(0);
+  EXPECT_LT(report.points, report.max_points);
+  ASSERT_EQ(report.notes.size(), 2U);
+  EXPECT_EQ(report.notes[0],
+            "your own edge_collapse is part of this and fails: see there first");
+  EXPECT_NE(report.notes[1].find("mend your own first"), std::string::npos);
+}
 
 TEST(Scotty3dHomework, ThatDoesNotCompileInOneFunctionIsGradedInTheOthers) {
   Submission submission = scotty3d_hand_in("of_2026");
