@@ -160,8 +160,7 @@ bool is_provided_by_scotty3d(const std::string& name) {
                               "flip_orientation",
                               "set_corner_normals",
                               "set_corner_uvs_per_face",
-                              "set_corner_uvs_project",
-                              "simplify"};
+                              "set_corner_uvs_project"};
   return provided.count(name) != 0;
 }
 

@@ -54,6 +54,13 @@ bool is_endless(const ExerciseRun& run) {
                      [](const Outcome& o) { return o.ending == Ending::kOutOfTime; });
 }
 
+/// The reference's solution of an exercise.
+StandIn stand_in_for(const Assignment& assignment, const ExerciseRubric& rubric) {
+  StandIn stand_in{rubric.name, find_exercise_judge(rubric).functions};
+  stand_in.folder = assignment.folder;
+  return stand_in;
+}
+
 /// Puts the cases that did not pass through the worker with stand-ins, and judges all anew.
 /// Those that did pass count as they came; but one that passes alone with the same stand-ins,
 /// and fails after other cases, does so by what the student's function keeps from call to call.
@@ -75,12 +82,6 @@ JudgedExercise judge_second(const Question& question, const Candidate& candidate
                         first.cases, outcomes);
 }
 
-StandIn stand_in_of(const Assignment& assignment, const ExerciseRubric& rubric) {
-  StandIn stand_in{rubric.name, find_exercise_judge(rubric).functions};
-  stand_in.folder = assignment.folder;
-  return stand_in;
-}
-
 /// A function can do all that its own exercise asks, and not what its caller relies on: which
 /// of the new edges are marked is the business of both. So the last of those that are needed,
 /// the one that makes new elements, is replaced by a right one; if the first failing case
@@ -96,7 +97,7 @@ void tell_what_it_relies_on(const Assignment& assignment, const Home& home,
   if (failed == cases.end() || needed.empty()) return;
   const Case& asked = run.cases[static_cast<std::size_t>(failed - cases.begin())];
   const ExerciseRubric& rubric = *needed.back().rubric;
-  const std::vector<StandIn> stand_in{stand_in_of(assignment, rubric)};
+  const std::vector<StandIn> stand_in{stand_in_for(assignment, rubric)};
   const auto changed = with_stand_ins(candidate.submission, home, stand_in);
   if (!changed) return;
   const Build build = build_submission(*changed, home, assignment.limits);
@@ -247,7 +248,7 @@ bool is_unwritten(const JudgedExercise& exercise) {
 }
 
 std::string why_not_run_again(const Submission& submission, const std::string& causes) {
-  if (submission.dialect == Dialect::kScotty3d) {
+  if (is_scotty3d(submission.dialect)) {
     return "homework for Scotty3D cannot be run with a right solution of " + causes +
            " in place of yours: first mend your own";
   }
@@ -263,7 +264,7 @@ void run_with(const Assignment& assignment, const Home& home, const Candidate& c
   for (const JudgedExercise* exercise : wrong) {
     const ExerciseRubric& rubric = *exercise->rubric;
     names.push_back(rubric.name);
-    stand_ins.push_back(stand_in_of(assignment, rubric));
+    stand_ins.push_back(stand_in_for(assignment, rubric));
     const std::string note =
         "your own " + rubric.name + " is part of this and " + state_of(*exercise);
     const auto& known = run.judged.notes;

@@ -22,6 +22,8 @@ const std::vector<Scotty3dFunction>& functions_since_2022() {
   SCOTTY3D_NAMES(exercise, ours, theirs)
 #define SCOTTY3D_MESH_FUNCTION(exercise, ours, theirs, Result) \
   SCOTTY3D_NAMES(exercise, ours, theirs)
+#define SCOTTY3D_MESH_FUNCTION_OF(exercise, ours, theirs, Result, OurArgument, Argument) \
+  SCOTTY3D_NAMES(exercise, ours, theirs)
 #define SCOTTY3D_REFINEMENT(exercise, ours, theirs) SCOTTY3D_NAMES(exercise, ours, theirs)
 #define SCOTTY3D_REMESHING(exercise, ours, theirs) SCOTTY3D_NAMES(exercise, ours, theirs)
 #define SCOTTY3D_PLACEMENT(exercise, ours, theirs) SCOTTY3D_NAMES(exercise, ours, theirs)

@@ -54,6 +54,33 @@ bool call_on_mesh(PolyMesh& mesh, bool (Halfedge_Mesh::*function)(), const char*
   return done;
 }
 
+/// Whether a function makes nothing at all of an octahedron, of which it must make something.
+template <class Argument>
+bool is_unwritten(bool (Halfedge_Mesh::*function)(Argument), Argument argument) {
+  PolyMesh octahedron;
+  octahedron.build(
+      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
+      {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
+  Halfedge_Mesh theirs;
+  const MeshBridge bridge(octahedron, theirs);
+  const Halfedge_Mesh before = theirs;
+  return !(theirs.*function)(argument) && same_vertices(before, theirs);
+}
+
+/// @param name  of the function: as it is handed out, it gives up at once
+template <class Argument>
+bool call_with(PolyMesh& mesh, bool (Halfedge_Mesh::*function)(Argument), Argument argument,
+               const char* name) {
+  Halfedge_Mesh theirs;
+  MeshBridge bridge(mesh, theirs);
+  const Halfedge_Mesh before = theirs;
+  const bool done = (theirs.*function)(argument);
+  if (!done && same_vertices(before, theirs) && is_unwritten(function, Argument(0.5)))
+    notImplemented(name);
+  bridge.write_back();
+  return done;
+}
+
 template <class Taken, class Given>
 void give_positions(const MeshBridge& bridge, const Taken& taken, Given& positions) {
   for (const auto& [element, p] : taken)
@@ -94,6 +121,11 @@ RefinedPositions refine(PolyMesh& mesh, void (Halfedge_Mesh::*function)(), const
 #define SCOTTY3D_MESH_FUNCTION(exercise, name, their_name, Result)                         \
   Result PolyMesh::name() {                                                                \
     return call_on_mesh(*this, &Halfedge_Mesh::their_name, "Halfedge_Mesh::" #their_name); \
+  }
+#define SCOTTY3D_MESH_FUNCTION_OF(exercise, name, their_name, Result, OurArgument, Argument) \
+  Result PolyMesh::name(OurArgument argument) {                                              \
+    return call_with(*this, &Halfedge_Mesh::their_name, static_cast<Argument>(argument),     \
+                     "Halfedge_Mesh::" #their_name);                                         \
   }
 #define SCOTTY3D_REFINEMENT(exercise, name, their_name)                              \
   RefinedPositions PolyMesh::name() {                                                \
@@ -148,6 +180,8 @@ void PolyMesh::isotropicRemesh(const RemeshParameters& parameters) {
       Argument##Ref, Argument##Ref) SCOTTY3D_UNWRITTEN(their_name)
 #define SCOTTY3D_MESH_FUNCTION(exercise, name, their_name, Result) \
   [[gnu::weak]] Result Halfedge_Mesh::their_name() SCOTTY3D_UNWRITTEN(their_name)
+#define SCOTTY3D_MESH_FUNCTION_OF(exercise, name, their_name, Result, OurArgument, Argument) \
+  [[gnu::weak]] Result Halfedge_Mesh::their_name(Argument) SCOTTY3D_UNWRITTEN(their_name)
 #define SCOTTY3D_REFINEMENT(exercise, name, their_name) \
   [[gnu::weak]] void Halfedge_Mesh::their_name() SCOTTY3D_UNWRITTEN(their_name)
 #include "functions.inc"

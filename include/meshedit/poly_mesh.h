@@ -234,6 +234,27 @@ class PolyMesh : public HalfedgeMesh {
   ///
   /// @param parameters  all faces of the mesh are triangles
   MESHEDIT_YOURS void isotropicRemesh(const RemeshParameters& parameters);
+
+  /// EXERCISE simplification. Makes a mesh of triangles coarser by the quadric errors of
+  /// Garland and Heckbert (1997): collapses the edge of the least cost, by collapseEdge(),
+  /// again and again, until at most `ratio` times as many faces are left as there were.
+  ///
+  ///   face    K = p p^T, where p = (n, -n . q) with the unit normal n and a corner q: so
+  ///           (v, 1)^T K (v, 1) is the squared distance of v from the plane of the face
+  ///   vertex  the sum of K over the faces around it
+  ///   edge    the sum of K of its two ends. The new vertex lies at the point v where
+  ///           (v, 1)^T K (v, 1) is least, and this value is the cost. Where there is no single
+  ///           such point (all is flat, or straight like a crease): at the best point of the
+  ///           edge, or at the best of its ends and its middle
+  ///
+  /// The new vertex gets the K of its edge, and the edges at it get new costs. An edge whose
+  /// collapse is refused is passed over; until one of its ends moves it need not be tried
+  /// again.
+  ///
+  /// Time: O(n log n) for n faces. Do not search all edges for each collapse.
+  ///
+  /// @return false if no collapse is left before the goal is reached
+  MESHEDIT_YOURS bool simplify(double ratio);
 };
 
 }  // namespace meshedit

@@ -95,7 +95,7 @@ TEST_F(BatchCommand, RecognisesWhichAssignmentAClassIsAbout) {
   fs::remove_all(class_ / "ann");
   EXPECT_THAT(graded("second"),
               testing::AllOf(HasSubstr("recognised: --assignment polygon_meshes"),
-                             HasSubstr("cid: 10 of 295 points")));
+                             HasSubstr("cid: 10 of 325 points")));
   EXPECT_THAT(call({"batch", class_.string(), "--list"}).output,
               HasSubstr("recognised: --assignment polygon_meshes"));
 }

@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"face_collapse", "vertex_bevel", "edge_bevel", "face_remove", "edge_weld",
                      "extrude_positions", "bevel_positions", "triangulation",
                      "linear_subdivision", "catmull_clark", "loop_refinement",
-                     "isotropic_remeshing"}},
+                     "isotropic_remeshing", "simplification"}},
         RightFolder{"of_2024", {}}, RightFolder{"of_2020", {}},
         RightFolder{"of_spring_2022",
                     {"edge_dissolve", "vertex_dissolve", "face_extrude", "face_collapse",
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
         RightFolder{"of_2026",
                     {"face_collapse", "edge_bevel", "face_remove", "edge_weld",
                      "bevel_positions", "linear_subdivision", "loop_refinement",
-                     "isotropic_remeshing"}}),
+                     "isotropic_remeshing", "simplification"}}),
     [](const auto& tested) { return std::string(tested.param.folder); });
 
 TEST(Scotty3dHomework, AsHandedOutIsNotImplementedAndCompilesWhole) {
@@ -297,6 +297,13 @@ const Scotty3dMistake kScotty3dMistakes[] = {
      "params.shorter_factor * mean) collapse_edge(e).value()->id;", "exception"},
     {"SmoothsVertexByVertex", "isotropic_remeshing", "of_2024", "to[v] = v->position +",
      "to[v] = v->position +=", "position"},
+    {"OffsetOfThePlaneWithTheWrongSign", "simplification", "of_2024",
+     "plane(n, -dot(n, f->halfedge->vertex->position))",
+     "plane(n, dot(n, f->halfedge->vertex->position))", "new-position"},
+    {"GivesUpAtTheFirstRefusal", "simplification", "of_2024",
+     "for (EdgeRef e : was_in) if (e != best.edge) put_in(e);\n"
+     "\t\t\tcontinue;",
+     "return false;", "gave-up"},
     {"FailedAssertion", "vertex_inset", "of_2026",
      "VertexRef m = emplace_vertex();\n\tm->position = f->center();",
      "VertexRef m = emplace_vertex();\n\tassert(sides.size() == 4);\n\tm->position = "
@@ -370,6 +377,17 @@ const Scotty3dMistake kScotty3dMistakes[] = {
 
 INSTANTIATE_TEST_SUITE_P(Mistakes, WrongScotty3dHomework, testing::ValuesIn(kScotty3dMistakes),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(Scotty3dHomework, WhoseCollapseIsWrongIsToldToMendThatFirst) {
+  Submission submission = scotty3d_hand_in("of_2024");
+  replace_in_file(submission, "\terase_vertex(a);\n\terase_edge(e);", "\terase_edge(e);");
+  const ExerciseReport report = grade_scotty3d(submission, {"simplification"}).exercises.at(0);
+  EXPECT_LT(report.points, report.max_points);
+  ASSERT_EQ(report.notes.size(), 2U);
+  EXPECT_EQ(report.notes[0],
+            "your own edge_collapse is part of this and fails: see there first");
+  EXPECT_NE(report.notes[1].find("mend your own first"), std::string::npos);
+}
 
 TEST(Scotty3dHomework, ThatDoesNotCompileInOneFunctionIsGradedInTheOthers) {
   Submission submission = scotty3d_hand_in("of_2026");

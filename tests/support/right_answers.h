@@ -15,8 +15,10 @@
 #include "grader/cases/mesh_input.h"
 #include "grader/cases/placement_cases.h"
 #include "grader/cases/remesh_input.h"
+#include "grader/cases/simplification_input.h"
 #include "grader/cases/whole_mesh_input.h"
 #include "grader/judge/bezier_forms.h"
+#include "grader/judge/collapse_search.h"
 #include "grader/judge/operation_model.h"
 #include "grader/judge/operations_judge.h"
 #include "grader/judge/refinement_rules.h"
@@ -25,6 +27,7 @@
 #include "grader/operations/picked_element.h"
 #include "grader/operations/remesh_steps.h"
 #include "grader/run/outcome.h"
+#include "grader/simplify/openmesh_decimation.h"
 #include "grader/subdivide/opensubdiv_level.h"
 #include "tests/support/sample_meshes.h"
 
@@ -314,6 +317,28 @@ inline std::vector<std::string> right_loop_refinements(const WholeMeshInput& inp
   return steps;
 }
 
+/// By the cheapest collapses on lists; larger meshes by OpenMesh, which is free to choose
+/// there.
+inline std::vector<std::string> right_simplifications(const SimplificationInput& input) {
+  const MeshDump built = built_mesh(input.mesh, input.anchor_turns);
+  const auto goal = static_cast<std::size_t>(
+      std::floor(input.ratio * static_cast<double>(input.mesh.polygons.size())));
+  if (input.ratio >= 1.0) return {to_wire(RefusableStep{1, built})};
+  if (input.mesh.polygons.size() > 300) {
+    const PolygonMesh made = openmesh_decimation(input.mesh, goal);
+    return {to_wire(RefusableStep{1, dump_polygons(made)})};
+  }
+  FaceLists lists = face_lists_of(built);
+  // Each takes two faces at most.
+  for (std::size_t n = (lists.faces.size() - goal + 1) / 2; lists.faces.size() > goal; ++n) {
+    const CollapsePath path =
+        cheapest_collapses(face_lists_of(built), right_collapse_ways()[0], n);
+    lists = path.left.lists();
+    if (path.done.size() < n) break;
+  }
+  return {to_wire(RefusableStep{lists.faces.size() <= goal ? 1U : 0U, mesh_of(lists)})};
+}
+
 inline std::vector<std::string> right_placements(const PlacementInput& input, bool bevel) {
   std::vector<std::string> steps;
   const std::vector<RingCorner> ring = ring_of(input.mesh, input.face);
@@ -419,6 +444,8 @@ inline Outcome right_outcome(const Case& c, VertexRule rule = VertexRule::kWarre
     outcome.steps = right_loop_refinements(from_wire<WholeMeshInput>(c.input), rule, corner);
   if (c.exercise == "isotropic_remeshing")
     outcome.steps = {to_wire(right_remeshing(from_wire<RemeshInput>(c.input)))};
+  if (c.exercise == "simplification")
+    outcome.steps = right_simplifications(from_wire<SimplificationInput>(c.input));
   if (c.exercise == "loop_subdivision")
     outcome.steps = right_levels(from_wire<SubdivisionInput>(c.input), rule, corner);
   return outcome;

@@ -198,6 +198,8 @@ class Halfedge_Mesh {
 #define SCOTTY3D_FUNCTION_OF_TWO(exercise, ours, theirs, Result, Argument) \
   std::optional<Result##Ref> theirs(Argument##Ref, Argument##Ref);
 #define SCOTTY3D_MESH_FUNCTION(exercise, ours, theirs, Result) Result theirs();
+#define SCOTTY3D_MESH_FUNCTION_OF(exercise, ours, theirs, Result, OurArgument, Argument) \
+  Result theirs(Argument);
 #define SCOTTY3D_REFINEMENT(exercise, ours, theirs) void theirs();
 #include "../functions.inc"
   void extrude_positions(FaceRef face, Vec3 move, float shrink);

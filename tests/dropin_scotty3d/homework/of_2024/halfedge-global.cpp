@@ -153,6 +153,80 @@ void Halfedge_Mesh::isotropic_remesh(Isotropic_Remesh_Parameters const &params) 
 			for (auto& [v, p] : to) v->position = p;
 		}
 	}
+
+struct Edge_Record {
+	Edge_Record(std::unordered_map<Halfedge_Mesh::VertexCRef, Mat4>& vertex_quadrics, Halfedge_Mesh::EdgeRef e) : edge(e) {
+		Vec3 a = e->halfedge->vertex->position, b = e->halfedge->twin->vertex->position;
+		Mat4 K = vertex_quadrics.at(e->halfedge->vertex) + vertex_quadrics.at(e->halfedge->twin->vertex);
+		Mat4 A = K;
+		A[0].w = A[1].w = A[2].w = 0.0f;
+		A[3] = Vec4(0.0f, 0.0f, 0.0f, 1.0f);
+		optimal = 0.5f * (a + b);
+		if (std::abs(A.det()) > 1e-3f) {
+			optimal = A.inverse() * Vec3(-K[3].x, -K[3].y, -K[3].z);
+		} else {
+			for (Vec3 p : {a, b}) if (price(K, p) < price(K, optimal)) optimal = p;
+		}
+		cost = price(K, optimal);
+	}
+	static float price(const Mat4& K, const Vec3& p) { return dot(Vec4(p, 1.0f), K * Vec4(p, 1.0f)); }
+	Halfedge_Mesh::EdgeRef edge;
+	Vec3 optimal;
+	float cost;
+};
+
+bool operator<(const Edge_Record& r1, const Edge_Record& r2) {
+	if (r1.cost != r2.cost) return r1.cost < r2.cost;
+	return r1.edge->id < r2.edge->id;
+}
+
+bool Halfedge_Mesh::simplify(float ratio) {
+	std::unordered_map< VertexCRef, Mat4 > vertex_quadrics;
+	size_t n_faces = 0;
+	for (VertexRef v = vertices.begin(); v != vertices.end(); v++) vertex_quadrics[v] = Mat4::Zero;
+	for (FaceRef f = faces.begin(); f != faces.end(); f++) {
+		if (f->boundary) continue;
+		n_faces++;
+		Vec3 n = f->normal();
+		Vec4 plane(n, -dot(n, f->halfedge->vertex->position));
+		for (HalfedgeRef s : f->sides()) vertex_quadrics[s->vertex] += outer(plane, plane);
+	}
+	std::set< Edge_Record > queue;
+	std::unordered_map< EdgeRef, Edge_Record > records;
+	auto take_out = [&](EdgeRef e) {
+		auto r = records.find(e);
+		if (r == records.end()) return;
+		queue.erase(r->second);
+		records.erase(r);
+	};
+	auto put_in = [&](EdgeRef e) {
+		Edge_Record r(vertex_quadrics, e);
+		queue.insert(r);
+		records.emplace(e, r);
+	};
+	for (EdgeRef e = edges.begin(); e != edges.end(); e++) put_in(e);
+	size_t goal = size_t(ratio * n_faces), left = n_faces;
+	while (left > goal) {
+		if (queue.empty()) return false;
+		Edge_Record best = *queue.begin();
+		VertexRef a = best.edge->halfedge->vertex, b = best.edge->halfedge->twin->vertex;
+		Mat4 K = vertex_quadrics[a] + vertex_quadrics[b];
+		std::vector< EdgeRef > around;
+		for (VertexRef v : {a, b}) for (HalfedgeRef s : v->spokes()) around.push_back(s->edge);
+		bool rim = best.edge->on_boundary();
+		std::vector< EdgeRef > was_in;
+		for (EdgeRef e : around) if (records.count(e)) { was_in.push_back(e); take_out(e); }
+		auto v = collapse_edge(best.edge);
+		if (!v) {
+			for (EdgeRef e : was_in) if (e != best.edge) put_in(e);
+			continue;
+		}
+		left -= rim ? 1 : 2;
+		(*v)->position = best.optimal;
+		vertex_quadrics[*v] = K;
+		for (HalfedgeRef s : (*v)->spokes()) { take_out(s->edge); put_in(s->edge); }
+	}
+	return true;
 }
 
 // provided
