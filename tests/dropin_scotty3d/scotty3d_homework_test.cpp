@@ -360,7 +360,7 @@ const Scotty3dMistake kScotty3dMistakes[] = {
      "deleted-handle"},
     {"EarlyEndlessWalk", "edge_collapse", "of_2020", "while(p->next() != h) p = p->next();",
      "while(p->next() != h->twin()->twin()->next()->twin()) p = p->next();", "out-of-steps"},
-    {"EarlyTwoSidesAreLeft", "face_collapse", "of_2020", "gone.push_back(g);", "", "polygon"},
+    {"EarlyTwoSidesAreLeft", "face_collapse", "of_2020", "gone.push_back(g);", "", "counts"},
     {"EarlyBevelsAVertexOfTwoEdges", "vertex_bevel", "of_2020",
      "if(spokes.size() < 3) return std::nullopt;", "", "not-refused"},
     {"EarlyMovesTheCopyAtOnce", "face_extrude", "of_2020", "v.back()->pos = s->vertex()->pos;",
