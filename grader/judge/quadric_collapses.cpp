@@ -191,15 +191,12 @@ Quadric CollapsingMesh::quadric_of(const LabelPair& edge) const {
 
 EdgeCost CollapsingMesh::cost(const LabelPair& edge) const {
   const Quadric quadric = quadric_of(edge);
-  if (const auto least = least_point(quadric))
-    return {quadric.at(*least), quadric.at(*least), *least, true};
+  const auto least = least_point(quadric);
+  const double cost = least ? std::max(0.0, quadric.at(*least)) : 0.0;
+  if (least && has_single_least_point(quadric)) return {cost, cost, *least, true};
   const Point3 at =
       best_of_three(quadric, lists_.positions[edge.first], lists_.positions[edge.second]);
-  return {0.0, quadric.at(at), at, false};
-}
-
-double CollapsingMesh::cost_at(const LabelPair& edge, const Point3& at) const {
-  return quadric_of(edge).at(at);
+  return {cost, std::max(cost, quadric.at(at)), at, false};
 }
 
 double CollapsingMesh::rank(const LabelPair& edge, Point3& at) const {

@@ -67,8 +67,6 @@ class CollapsingMesh {
   bool is_boundary(Label vertex) const { return surface_.is_boundary(vertex); }
 
   EdgeCost cost(const LabelPair& edge) const;
-  /// Of the same edge, with its vertex somewhere else.
-  double cost_at(const LabelPair& edge, const Point3& at) const;
   /// By the way's own rank; `at` is where it places the vertex.
   double rank(const LabelPair& edge, Point3& at) const;
 

@@ -59,20 +59,39 @@ Quadric plane_quadric(const Point3& p, const Point3& q, const Point3& r) {
           d * d};
 }
 
+namespace {
+
+/// The determinant of A, as a part of what it is for planes at right angles.
+double relative_determinant(const Quadric& q) {
+  const Point3 x{q.a[0], q.a[1], q.a[2]};
+  const Point3 y{q.a[1], q.a[3], q.a[4]};
+  const Point3 z{q.a[2], q.a[4], q.a[5]};
+  const double mean = q.trace() / 3.0;
+  return dot_product(x, cross_product(y, z)) / (mean * mean * mean);
+}
+
+}  // namespace
+
 std::optional<Point3> least_point(const Quadric& q) {
-  // Solutions compare the determinant with some small number, or with 0.
-  constexpr double kSmall = 1e-6;
-  constexpr double kSmallPart = 1e-2;
+  constexpr double kRounding = 1e-5;
+  if (!(relative_determinant(q) > kRounding)) return {};
   const Point3 x{q.a[0], q.a[1], q.a[2]};
   const Point3 y{q.a[1], q.a[3], q.a[4]};
   const Point3 z{q.a[2], q.a[4], q.a[5]};
   const double det = dot_product(x, cross_product(y, z));
-  const double mean = q.trace() / 3.0;
-  if (!(det > kSmall) || !(det > kSmallPart * mean * mean * mean)) return {};
   const Point3 right{-q.b[0], -q.b[1], -q.b[2]};
   return Point3{dot_product(right, cross_product(y, z)) / det,
                 dot_product(x, cross_product(right, z)) / det,
                 dot_product(x, cross_product(y, right)) / det};
+}
+
+bool has_single_least_point(const Quadric& q) {
+  // Solutions compare the determinant itself with some small number, or a part of it.
+  constexpr double kSmall = 1e-6;
+  constexpr double kSmallPart = 1e-2;
+  const double mean = q.trace() / 3.0;
+  const double part = relative_determinant(q);
+  return part > kSmallPart && part * mean * mean * mean > kSmall;
 }
 
 }  // namespace meshgrade

@@ -29,8 +29,10 @@ Point3 area_vector(const Point3& p, const Point3& q, const Point3& r);
 /// The squared distance from the plane of a triangle; nothing but 0 if it has no area.
 Quadric plane_quadric(const Point3& p, const Point3& q, const Point3& r);
 
-/// Where a quadric is least; nothing if A is so close to being singular that one may say that
-/// there is no single such point.
+/// Where a quadric is least; nothing if A is singular, as far as rounding lets one tell.
 std::optional<Point3> least_point(const Quadric& q);
+
+/// Whether A is so far from being singular that no solution may take it to be.
+bool has_single_least_point(const Quadric& q);
 
 }  // namespace meshgrade

@@ -71,14 +71,11 @@ TEST(AQuadric, HasNoSingleLeastPointOnAPlaneOrACrease) {
 }
 
 TEST(TheDistanceOfSurfaces, IsThatOfParallelSquares) {
-  const PolygonMesh square = cut_to_triangles(sample_polygons("single_quad.obj"));
+  const PolygonMesh square{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}},
+                           {{0, 1, 2}, {0, 2, 3}}};
   PolygonMesh lifted = square;
-  const Point3 n = area_vector(square.positions[0], square.positions[1], square.positions[2]);
-  const double length = std::hypot(n[0], n[1], n[2]);
-  for (Point3& p : lifted.positions) {
-    for (std::size_t i = 0; i < 3; ++i)
-      p[i] += 0.25 * n[i] / length;
-  }
+  for (Point3& p : lifted.positions)
+    p[2] += 0.25;
   EXPECT_NEAR(surface_distance(lists_of(square), lists_of(lifted)), 0.25, 1e-12);
   EXPECT_NEAR(farthest_corner(lists_of(square), lists_of(lifted)), 0.25, 1e-12);
 }

@@ -66,6 +66,7 @@ const Misconceptions& simplification_misconceptions() {
 /// The number of the edge between two vertices.
 Ref edge_between(const MeshDump& mesh, const LabelPair& ends) {
   for (Ref e = 0; e < mesh.edges.size(); ++e) {
+    if (mesh.edges[e].live == 0) continue;
     const HalfedgeRecord& h = mesh.halfedges[mesh.edges[e].halfedge];
     const Ref end = mesh.halfedges[h.twin].vertex;
     if (LabelPair(std::min(h.vertex, end), std::max(h.vertex, end)) == ends) return e;
