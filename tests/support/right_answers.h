@@ -382,11 +382,13 @@ inline void resize_edges(FaceLists& lists, double longest, double shortest) {
 }
 
 inline void flip_edges(FaceLists& lists) {
+  Surface surface(lists);
   for (const EdgeEnds& edge : edges_of(lists)) {
-    const Surface surface(lists);
     const auto place = flip_place(surface, lists, edge);
     if (!place || flip_gain(surface, *place) <= 0) continue;
-    if (!surface.is_edge(place->c, place->d)) flip(lists, *place);
+    if (surface.is_edge(place->c, place->d)) continue;
+    flip(lists, *place);
+    surface = Surface(lists);
   }
 }
 
