@@ -146,8 +146,8 @@ class StepReader {
     const std::string kinds = picked_by_word(verbs_, verb.word);
     const std::string example = element_name(verb.picks, 3);
     if (verb.picked == 1) return "must name one " + kinds + ", as " + example;
-    return "must name two of the kind " + kinds + ", as " + example + " " +
-           element_name(verb.picks, 7);
+    const std::string several = kinds == "vertex" ? "vertices" : kinds + "s";
+    return "must name two " + several + ", as " + example + " " + element_name(verb.picks, 7);
   }
 
   const std::vector<ViewVerb>& verbs_;
