@@ -74,9 +74,8 @@ FailsFunction quick_look(const Assignment& assignment, const Home& home) {
   return [&](const Submission& submission, const std::string& exercise) {
     const Build build = build_submission(submission, home, assignment.limits);
     const bool compiles =
-        std::all_of(build.files.begin(), build.files.end(), [](const BuiltFile& file) {
-          return file.ok && file.left_out.empty();
-        });
+        std::all_of(build.files.begin(), build.files.end(),
+                    [](const BuiltFile& file) { return file.ok && file.left_out.empty(); });
     return compiles &&
            fails_at_once(assignment, home, {submission, build}, *assignment.find(exercise));
   };

@@ -6,19 +6,13 @@
 #include <set>
 #include <utility>
 
+#include "grader/mesh/point_products.h"
+
 namespace meshgrade {
 namespace {
 
 Point3 subtract(const Point3& a, const Point3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Point3 cross(const Point3& a, const Point3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Point3& a, const Point3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 double length(const Point3& a) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "grader/judge/point_compare.h"
+#include "grader/mesh/point_products.h"
 
 namespace meshgrade {
 namespace {
@@ -76,10 +77,6 @@ LabelPair sorted_ends(Label a, Label b) {
 
 bool has_corner(const Corners& face, Label corner) {
   return std::find(face.begin(), face.end(), corner) != face.end();
-}
-
-double dot_of(const Point3& p, const Point3& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
 }
 
 }  // namespace
@@ -169,7 +166,7 @@ bool CollapsingMesh::turns_a_face(const LabelPair& edge, const Point3& at) const
     }
     const Point3 n = area_vector(old[0], old[1], old[2]);
     const Point3 m = area_vector(moved[0], moved[1], moved[2]);
-    return !(dot_of(n, m) > kMuch * std::sqrt(dot_of(n, n) * dot_of(m, m)));
+    return !(dot(n, m) > kMuch * std::sqrt(dot(n, n) * dot(m, m)));
   };
   const auto& at_a = surface_.faces_at(edge.first);
   const auto& at_b = surface_.faces_at(edge.second);

@@ -2,24 +2,15 @@
 
 #include <cmath>
 
+#include "grader/mesh/point_products.h"
+
 namespace meshgrade {
-namespace {
-
-Point3 cross_product(const Point3& p, const Point3& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-
-double dot_product(const Point3& p, const Point3& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-
-}  // namespace
 
 double Quadric::at(const Point3& v) const {
   const Point3 av{a[0] * v[0] + a[1] * v[1] + a[2] * v[2],
                   a[1] * v[0] + a[3] * v[1] + a[4] * v[2],
                   a[2] * v[0] + a[4] * v[1] + a[5] * v[2]};
-  return dot_product(v, av) + 2.0 * dot_product(b, v) + c;
+  return dot(v, av) + 2.0 * dot(b, v) + c;
 }
 
 Quadric operator+(const Quadric& p, const Quadric& q) {
@@ -43,8 +34,8 @@ Quadric operator*(double factor, const Quadric& q) {
 }
 
 Point3 area_vector(const Point3& p, const Point3& q, const Point3& r) {
-  return cross_product({q[0] - p[0], q[1] - p[1], q[2] - p[2]},
-                       {r[0] - p[0], r[1] - p[1], r[2] - p[2]});
+  return cross({q[0] - p[0], q[1] - p[1], q[2] - p[2]},
+               {r[0] - p[0], r[1] - p[1], r[2] - p[2]});
 }
 
 Quadric plane_quadric(const Point3& p, const Point3& q, const Point3& r) {
@@ -53,7 +44,7 @@ Quadric plane_quadric(const Point3& p, const Point3& q, const Point3& r) {
   if (length == 0.0) return {};
   for (double& x : n)
     x /= length;
-  const double d = -dot_product(n, p);
+  const double d = -dot(n, p);
   return {{n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2]},
           {d * n[0], d * n[1], d * n[2]},
           d * d};
@@ -67,7 +58,7 @@ double relative_determinant(const Quadric& q) {
   const Point3 y{q.a[1], q.a[3], q.a[4]};
   const Point3 z{q.a[2], q.a[4], q.a[5]};
   const double mean = q.trace() / 3.0;
-  return dot_product(x, cross_product(y, z)) / (mean * mean * mean);
+  return dot(x, cross(y, z)) / (mean * mean * mean);
 }
 
 }  // namespace
@@ -78,11 +69,10 @@ std::optional<Point3> least_point(const Quadric& q) {
   const Point3 x{q.a[0], q.a[1], q.a[2]};
   const Point3 y{q.a[1], q.a[3], q.a[4]};
   const Point3 z{q.a[2], q.a[4], q.a[5]};
-  const double det = dot_product(x, cross_product(y, z));
+  const double det = dot(x, cross(y, z));
   const Point3 right{-q.b[0], -q.b[1], -q.b[2]};
-  return Point3{dot_product(right, cross_product(y, z)) / det,
-                dot_product(x, cross_product(right, z)) / det,
-                dot_product(x, cross_product(y, right)) / det};
+  return Point3{dot(right, cross(y, z)) / det, dot(x, cross(right, z)) / det,
+                dot(x, cross(y, right)) / det};
 }
 
 bool has_single_least_point(const Quadric& q) {

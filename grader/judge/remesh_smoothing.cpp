@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grader/mesh/point_products.h"
+
 namespace meshgrade {
 namespace {
 
 Point3 difference(const Point3& a, const Point3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Point3 cross_product(const Point3& a, const Point3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot_product(const Point3& a, const Point3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 double norm_of(const Point3& a) {
@@ -38,7 +32,7 @@ struct Surroundings {
 };
 
 Point3 along_surface(const Point3& u, const Point3& normal) {
-  return plus(u, -dot_product(u, normal), normal);
+  return plus(u, -dot(u, normal), normal);
 }
 
 /// The rules: what is added to a position, from what lies around.
@@ -62,7 +56,7 @@ Point3 move_away(const Surroundings& s, double step) {
 
 Point3 move_along_normal(const Surroundings& s, double step) {
   const Point3 u = difference(s.mean(), s.at);
-  return plus({}, step * dot_product(u, s.normal), s.normal);
+  return plus({}, step * dot(u, s.normal), s.normal);
 }
 
 Point3 move_with_itself(const Surroundings& s, double step) {
@@ -207,11 +201,11 @@ std::vector<Point3> ring_normals(const TriangleRings& rings, const std::vector<P
     for (std::size_t i = 0; i < 3; ++i) {
       const Point3 q = difference(at[t[(i + 1) % 3]], at[t[i]]);
       const Point3 r = difference(at[t[(i + 2) % 3]], at[t[i]]);
-      const Point3 area = cross_product(q, r);
+      const Point3 area = cross(q, r);
       const double size = norm_of(area);
       double factor = 1.0;
       if (weight == NormalWeight::kEqual) factor = 1.0 / size;
-      if (weight == NormalWeight::kAngle) factor = std::atan2(size, dot_product(q, r)) / size;
+      if (weight == NormalWeight::kAngle) factor = std::atan2(size, dot(q, r)) / size;
       normals[t[i]] = plus(normals[t[i]], factor, area);
     }
   }

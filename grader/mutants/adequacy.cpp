@@ -152,8 +152,8 @@ Adequacy measure_adequacy(const Assignment& assignment, const std::vector<Origin
   std::vector<Mutant> chosen = choose(mutants, options);
   if (options.survivors_only) {
     const std::size_t all = chosen.size();
-    chosen = without_failing(assignment, originals, chosen, pipeline.fails, options.jobs,
-                             progress);
+    chosen =
+        without_failing(assignment, originals, chosen, pipeline.fails, options.jobs, progress);
     adequacy.failed_at_once = all - chosen.size();
   }
   adequacy.mutants =

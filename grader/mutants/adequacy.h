@@ -67,7 +67,8 @@ struct Share {
 Share pointers_named(const Adequacy& adequacy);
 Share functions_named(const Adequacy& adequacy);
 
-/// How submissions are graded, how they are only asked whether they fail, and how the cases of one exercise are run only.
+/// How submissions are graded, how they are only asked whether they fail, and how the cases of
+/// one exercise are run only.
 struct Pipeline {
   GradeFunction grade;
   FailsFunction fails;

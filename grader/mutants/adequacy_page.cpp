@@ -299,9 +299,8 @@ std::string to_summary(const Adequacy& adequacy) {
   };
   const std::size_t at_once = adequacy.failed_at_once;
   return plural(tally.all() + at_once, "mutant") + ": " +
-         std::to_string(tally.killed + at_once) + " killed, " +
-         std::to_string(tally.survived) + " survived (" +
-         std::to_string(adequacy.unexplained.size()) + " not explained), " +
+         std::to_string(tally.killed + at_once) + " killed, " + std::to_string(tally.survived) +
+         " survived (" + std::to_string(adequacy.unexplained.size()) + " not explained), " +
          std::to_string(tally.not_compiled) + " do not compile\n" +
          "the first finding names the pointer: " + percent_text(pointers_named(adequacy)) +
          "\nthe report names the function: " + percent_text(functions_named(adequacy)) + "\n" +

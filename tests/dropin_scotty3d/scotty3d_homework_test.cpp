@@ -102,20 +102,20 @@ TEST_P(RightScotty3dHomework, PassesInAllThatItHas) {
 
 INSTANTIATE_TEST_SUITE_P(
     Years, RightScotty3dHomework,
-    testing::Values(
-        RightFolder{"of_2022",
-                    {"face_collapse", "vertex_bevel", "edge_bevel", "face_remove", "edge_weld",
-                     "extrude_positions", "bevel_positions", "triangulation",
-                     "linear_subdivision", "catmull_clark", "loop_refinement",
-                     "isotropic_remeshing", "simplification"}},
-        RightFolder{"of_2024", {}}, RightFolder{"of_2020", {}},
-        RightFolder{"of_spring_2022",
-                    {"edge_dissolve", "vertex_dissolve", "face_extrude", "face_collapse",
-                     "vertex_bevel", "edge_bevel", "catmull_clark", "loop_refinement"}},
-        RightFolder{"of_2026",
-                    {"face_collapse", "edge_bevel", "face_remove", "edge_weld",
-                     "bevel_positions", "linear_subdivision", "loop_refinement",
-                     "isotropic_remeshing", "simplification"}}),
+    testing::Values(RightFolder{"of_2022",
+                                {"face_collapse", "vertex_bevel", "edge_bevel", "face_remove",
+                                 "edge_weld", "extrude_positions", "bevel_positions",
+                                 "triangulation", "linear_subdivision", "catmull_clark",
+                                 "loop_refinement", "isotropic_remeshing", "simplification"}},
+                    RightFolder{"of_2024", {}}, RightFolder{"of_2020", {}},
+                    RightFolder{
+                        "of_spring_2022",
+                        {"edge_dissolve", "vertex_dissolve", "face_extrude", "face_collapse",
+                         "vertex_bevel", "edge_bevel", "catmull_clark", "loop_refinement"}},
+                    RightFolder{"of_2026",
+                                {"face_collapse", "edge_bevel", "face_remove", "edge_weld",
+                                 "bevel_positions", "linear_subdivision", "loop_refinement",
+                                 "isotropic_remeshing", "simplification"}}),
     [](const auto& tested) { return std::string(tested.param.folder); });
 
 TEST(Scotty3dHomework, AsHandedOutIsNotImplementedAndCompilesWhole) {

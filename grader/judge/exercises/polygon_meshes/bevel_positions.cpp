@@ -2,13 +2,10 @@
 
 #include "grader/judge/options.h"
 #include "grader/judge/placement_judge.h"
+#include "grader/mesh/point_products.h"
 
 namespace meshgrade {
 namespace {
-
-double dot(const Point3& a, const Point3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// From the start to the outer vertex, and how long that is.
 struct Way {

@@ -7,18 +7,17 @@ namespace meshgrade {
 
 void run_isotropic_remeshing(WireReader& input, Recorder& recorder) {
   const auto asked = input.read<RemeshInput>();
-  meshedit::PolyMesh mesh;
-  build_mesh(asked.mesh, mesh);
-  whole_mesh_detail::turn_anchors(mesh, asked.anchor_turns);
-  recorder.set_state_source([&mesh] { return to_wire(dump_mesh(mesh)); });
   meshedit::RemeshParameters parameters;
   parameters.outerIterations = asked.settings.outer;
   parameters.longerFactor = asked.settings.longer;
   parameters.shorterFactor = asked.settings.shorter;
   parameters.smoothingIterations = asked.settings.smoothing;
   parameters.smoothingStep = asked.settings.step;
-  mesh.isotropicRemesh(parameters);
-  recorder.add_step(dump_mesh(mesh));
+  with_mesh(asked.mesh, asked.anchor_turns, [&](meshedit::PolyMesh& mesh) {
+    recorder.set_state_source([&mesh] { return to_wire(dump_mesh(mesh)); });
+    mesh.isotropicRemesh(parameters);
+    recorder.add_step(dump_mesh(mesh));
+  });
 }
 
 }  // namespace meshgrade

@@ -7,12 +7,11 @@ namespace meshgrade {
 
 void run_simplification(WireReader& input, Recorder& recorder) {
   const auto asked = input.read<SimplificationInput>();
-  meshedit::PolyMesh mesh;
-  build_mesh(asked.mesh, mesh);
-  whole_mesh_detail::turn_anchors(mesh, asked.anchor_turns);
-  recorder.set_state_source([&mesh] { return to_wire(dump_mesh(mesh)); });
-  const bool done = mesh.simplify(asked.ratio);
-  recorder.add_step(RefusableStep{done ? 1U : 0U, dump_mesh(mesh)});
+  with_mesh(asked.mesh, asked.anchor_turns, [&](meshedit::PolyMesh& mesh) {
+    recorder.set_state_source([&mesh] { return to_wire(dump_mesh(mesh)); });
+    const bool done = mesh.simplify(asked.ratio);
+    recorder.add_step(RefusableStep{done ? 1U : 0U, dump_mesh(mesh)});
+  });
 }
 
 }  // namespace meshgrade
