@@ -198,11 +198,12 @@ Ranks renewed(const Ranks& old, const LabelPair& collapsed, const CollapsingMesh
     Ranked value = before;
     const bool is_touched =
         edge.first == left || edge.second == left || edge.first == gone || edge.second == gone;
-    if (edge == collapsed || (is_touched && renewal == Renewal::kNone)) continue;
+    if (edge == collapsed) continue;
     const Label a = edge.first == gone ? left : edge.first;
     const Label b = edge.second == gone ? left : edge.second;
     const LabelPair now(std::min(a, b), std::max(a, b));
-    if (is_touched && renewal == Renewal::kNewCosts) value = ranked(mesh, now);
+    if (is_touched && renewal != Renewal::kOldBest) value = ranked(mesh, now);
+    if (renewal == Renewal::kOldCosts) value.rank = before.rank;
     const auto [known, is_new] = ranks.emplace(now, value);
     if (!is_new && value.rank < known->second.rank) known->second = value;
   }

@@ -107,8 +107,8 @@ const std::vector<CollapseWay>& wrong_collapse_ways() {
     all.back().is_anew = true;
     all.push_back(way("costs-not-renewed"));
     all.back().renewal = Renewal::kOldCosts;
-    all.push_back(way("edges-not-renewed"));
-    all.back().renewal = Renewal::kNone;
+    all.push_back(all.back());
+    all.back().renewal = Renewal::kOldBest;
     return all;
   }();
   return ways;

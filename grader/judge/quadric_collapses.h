@@ -19,7 +19,7 @@ using LabelPair = std::pair<Label, Label>;  ///< the ends of an edge, the smalle
 enum class Renewal {
   kNewCosts,  ///< they get new costs
   kOldCosts,  ///< they keep those of the edges that they were
-  kNone,      ///< they are not collapsed any more
+  kOldBest,   ///< and the best points as well
 };
 
 /// A way to choose and to place, right or wrong.

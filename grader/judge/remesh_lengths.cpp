@@ -62,8 +62,16 @@ struct FateWords {
   const char* look_at;
 };
 
+/// What is done without need comes first: it may be why something else is missing.
 const std::vector<FateWords>& all_fates() {
   static const std::vector<FateWords> fates{
+      {"split-needless", [](const EdgeFate& f) { return f.was_split && !f.must_split; },
+       "no edge is split that is not longer than longerFactor L", "was split", "stays",
+       "the limit: longerFactor times the mean length of all edges"},
+      {"collapse-needless",
+       [](const EdgeFate& f) { return f.was_collapsed && !f.must_collapse; },
+       "no edge is collapsed that is not shorter than shorterFactor L", "was collapsed",
+       "stays", "the limit: shorterFactor times the mean length of all edges"},
       {"split-missing", [](const EdgeFate& f) { return f.must_split && !f.was_split; },
        "every edge longer than longerFactor L is split", "was not split", "is split",
        "the loop that splits: does it visit every edge that was there when it began, and "
@@ -74,14 +82,7 @@ const std::vector<FateWords>& all_fates() {
        "every edge shorter than shorterFactor L is collapsed", "was not collapsed",
        "is collapsed",
        "the loop that collapses: does it visit every edge that is still there, does its "
-       "condition ask what it should, and does it go on after a collapse?"},
-      {"split-needless", [](const EdgeFate& f) { return f.was_split && !f.must_split; },
-       "no edge is split that is not longer than longerFactor L", "was split", "stays",
-       "the limit: longerFactor times the mean length of all edges"},
-      {"collapse-needless",
-       [](const EdgeFate& f) { return f.was_collapsed && !f.must_collapse; },
-       "no edge is collapsed that is not shorter than shorterFactor L", "was collapsed",
-       "stays", "the limit: shorterFactor times the mean length of all edges"}};
+       "condition ask what it should, and does it go on after a collapse?"}};
   return fates;
 }
 

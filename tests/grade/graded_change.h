@@ -2,7 +2,10 @@
 
 // Solutions of the second assignment that are the reference but for a line, graded.
 
+#include <algorithm>
 #include <ostream>
+#include <string>
+#include <vector>
 
 #include "grader/grade/grading.h"
 #include "tests/grade/spoiled_reference.h"
@@ -19,6 +22,21 @@ inline ExerciseReport grade_one(const std::string& exercise, SourceFile file) {
   const Report report =
       grade(assignment, submission, home, {exercise}, [](const std::string&) {});
   return report.exercises.at(0);
+}
+
+/// The assignment with these groups of an exercise only, which relies on no other: for
+/// solutions that are wrong there, and call operations that are right.
+inline Assignment only_groups(const std::string& exercise,
+                              const std::vector<std::string>& groups) {
+  Assignment assignment = load_assignment("polygon_meshes");
+  for (ExerciseRubric& rubric : assignment.exercises) {
+    if (rubric.name != exercise) continue;
+    rubric.needs.clear();
+    std::erase_if(rubric.groups, [&](const Group& group) {
+      return std::find(groups.begin(), groups.end(), group.name) == groups.end();
+    });
+  }
+  return assignment;
 }
 
 inline std::string path_of(const std::string& exercise) {

@@ -28,10 +28,9 @@ SourceFile edited(const std::string& exercise, const Edits& edits) {
 }
 
 /// With the operations that it calls, of which one may have edits, too.
-ExerciseReport grade_remeshing(const Edits& edits, const std::string& wrong = "",
-                               const Edits& wrong_edits = {}) {
+ExerciseReport grade_remeshing(const Assignment& assignment, const Edits& edits,
+                               const std::string& wrong = "", const Edits& wrong_edits = {}) {
   static const Home home = find_home();
-  static const Assignment assignment = load_assignment("polygon_meshes");
   Submission submission;
   submission.name = "test";
   submission.sources = {edited(kRemeshing, edits)};
@@ -40,6 +39,11 @@ ExerciseReport grade_remeshing(const Edits& edits, const std::string& wrong = ""
   const Report report =
       grade(assignment, submission, home, {kRemeshing}, [](const std::string&) {});
   return report.exercises.at(0);
+}
+
+const Assignment& all_of_remeshing() {
+  static const Assignment assignment = load_assignment("polygon_meshes");
+  return assignment;
 }
 
 struct RemeshChange {
@@ -55,7 +59,8 @@ std::ostream& operator<<(std::ostream& out, const RemeshChange& change) {
 class WronglyRemeshed : public testing::TestWithParam<RemeshChange> {};
 
 TEST_P(WronglyRemeshed, LosesPointsAndIsToldWhy) {
-  const ExerciseReport report = grade_remeshing(GetParam().edits);
+  static const Assignment steps = only_groups(kRemeshing, {"flips", "lengths", "smoothing"});
+  const ExerciseReport report = grade_remeshing(steps, GetParam().edits);
   EXPECT_LT(report.points, report.max_points);
   const Finding& finding = first_finding(report);
   EXPECT_EQ(finding.rule, GetParam().rule) << finding.actual;
@@ -105,7 +110,8 @@ INSTANTIATE_TEST_SUITE_P(Mistakes, WronglyRemeshed, testing::ValuesIn(kWronglyRe
 class WronglySmoothed : public testing::TestWithParam<RemeshChange> {};
 
 TEST_P(WronglySmoothed, IsNamedAlone) {
-  const ExerciseReport report = grade_remeshing(GetParam().edits);
+  static const Assignment smoothing = only_groups(kRemeshing, {"smoothing"});
+  const ExerciseReport report = grade_remeshing(smoothing, GetParam().edits);
   EXPECT_EQ(report.verdict, Verdict::kFailed);
   EXPECT_EQ(first_finding(report).rule, "position");
   std::set<std::string> names;
@@ -190,7 +196,7 @@ TEST(WronglySmoothedMeshes, HaveATestForEveryCauseThatCanBeNamed) {
 class RightlyRemeshed : public testing::TestWithParam<RemeshChange> {};
 
 TEST_P(RightlyRemeshed, HasEveryPointDoneInAnotherWay) {
-  const ExerciseReport report = grade_remeshing(GetParam().edits);
+  const ExerciseReport report = grade_remeshing(all_of_remeshing(), GetParam().edits);
   EXPECT_EQ(report.verdict, Verdict::kPassed)
       << first_finding(report).rule << ": " << first_finding(report).actual;
   EXPECT_EQ(report.points, report.max_points);
@@ -218,8 +224,8 @@ INSTANTIATE_TEST_SUITE_P(Ways, RightlyRemeshed, testing::ValuesIn(kRightlyRemesh
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(ARightRemeshing, LosesNothingByAWrongFlip) {
-  const ExerciseReport report =
-      grade_remeshing({}, "edge_flip_polygon", {{"g->halfedge() = t;", ""}});
+  const ExerciseReport report = grade_remeshing(all_of_remeshing(), {}, "edge_flip_polygon",
+                                                {{"g->halfedge() = t;", ""}});
   EXPECT_EQ(report.points, report.max_points);
   ASSERT_FALSE(report.notes.empty());
   EXPECT_NE(report.notes[0].find("your own edge_flip_polygon"), std::string::npos);

@@ -206,9 +206,9 @@ void add_stress(RemeshCases& cases, const CaseMaker& maker) {
 
 void make_isotropic_remeshing_cases(CaseMaker& maker) {
   RemeshCases cases(maker);
-  add_smoothing(cases, maker);
   add_flips(cases, maker);
   add_lengths(cases, maker);
+  add_smoothing(cases, maker);
   add_whole(cases, maker);
   add_boundaries(cases, maker);
   add_stress(cases, maker);

@@ -24,6 +24,9 @@ namespace {
 /// How much farther from the shape than OpenMesh's a mesh with as many faces may be.
 constexpr double kTimesOpenMesh = 1.5;
 
+/// With fewer edges, it may be chance that a misconception collapses the same ones.
+constexpr std::size_t kEnoughToTell = 30;
+
 const Misconceptions& simplification_misconceptions() {
   static const Misconceptions all{
       {"offset-sign",
@@ -56,8 +59,6 @@ const Misconceptions& simplification_misconceptions() {
       {"costs-not-renewed",
        "the edges at the new vertex keep the costs that they had before: they must be computed "
        "anew with its quadric"},
-      {"edges-not-renewed",
-       "the edges at the new vertex are not collapsed any more: put them back with new costs"},
       {"first-in-list", "the first edge of the list is collapsed, whatever it costs"},
       {"last-in-list", "the last edge of the list is collapsed, whatever it costs"}};
   return all;
@@ -288,7 +289,7 @@ class SimplificationJudge {
     } else {
       report_other_edges(old, n);
     }
-    judgement_.findings[0].likely = likely_causes(old, n, best.fit);
+    judgement_.findings[0].likely = likely_causes(old, n);
   }
 
   void report_mixed(const std::string& other) {
@@ -363,20 +364,18 @@ class SimplificationJudge {
     return names;
   }
 
-  Misconceptions likely_causes(const FaceLists& old, std::size_t n, Fit fit) const {
+  Misconceptions likely_causes(const FaceLists& old, std::size_t n) const {
     Misconceptions likely;
-    if (!task_.explain) return likely;
+    if (!task_.explain || before_.edges.size() < kEnoughToTell) return likely;
     const auto name = [&](const char* cause) {
       likely.push_back(find_misconception(simplification_misconceptions(), cause));
     };
     const double allowed = 1e-4 * extent(input_.mesh.positions) +
                            float_rounding(largest_coordinate(input_.mesh.positions));
     for (const CollapseWay& way : wrong_collapse_ways()) {
-      // Where old costs are kept, best points may be old as well: the edges tell enough.
-      const bool keeps_costs = way.renewal == Renewal::kOldCosts;
-      if (keeps_costs && fit == Fit::kOtherPoints) continue;
-      const CollapsePath path = cheapest_collapses(old, way, n);
-      if (is_left_by(path, after_, keeps_costs ? INFINITY : allowed)) name(way.name);
+      if (!holds(likely, way.name) &&
+          is_left_by(cheapest_collapses(old, way, n), after_, allowed))
+        name(way.name);
     }
     const CollapsingMesh start(old, right_collapse_ways()[0]);
     const auto gone = n == 1 && likely.empty() ? collapsed_edge(start) : std::nullopt;

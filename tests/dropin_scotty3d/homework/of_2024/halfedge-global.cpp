@@ -153,6 +153,7 @@ void Halfedge_Mesh::isotropic_remesh(Isotropic_Remesh_Parameters const &params) 
 			for (auto& [v, p] : to) v->position = p;
 		}
 	}
+}
 
 struct Edge_Record {
 	Edge_Record(std::unordered_map<Halfedge_Mesh::VertexCRef, Mat4>& vertex_quadrics, Halfedge_Mesh::EdgeRef e) : edge(e) {
