@@ -76,7 +76,7 @@ TEST_P(HostileSteps, AlwaysGetAVerdict) {
 #endif
   Conventions conventions = judge.conventions;
   for (const Case& c : standard_cases(GetParam())) {
-    if (c.input.size() > 20'000) continue;
+    if (c.input.size() > 20'000 || takes_minutes_when_sanitized(c)) continue;
     const Outcome right = right_outcome(c);
     for (int round = 0; round < rounds; ++round) {
       Outcome outcome = right;

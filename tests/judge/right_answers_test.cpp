@@ -28,7 +28,7 @@ TEST_P(RightAnswers, PassEveryCase) {
   const ExerciseJudge judge = find_exercise_judge(rubric);
   Conventions conventions = judge.conventions;
   for (const Case& c : standard_cases(GetParam())) {
-    if (takes_minutes(c)) continue;
+    if (takes_minutes(c) || takes_minutes_when_sanitized(c)) continue;
     const Outcome outcome = right_outcome(c);
     const CaseJudgement judgement = judge_case(judge, {c, outcome, rubric, 1e-9}, conventions);
     EXPECT_EQ(judgement.verdict, Verdict::kPassed)
@@ -42,7 +42,7 @@ TEST_P(RightAnswers, WithAStepMissingAreNotBelieved) {
   const ExerciseRubric& rubric = rubric_of(GetParam());
   const ExerciseJudge judge = find_exercise_judge(rubric);
   for (const Case& c : standard_cases(GetParam())) {
-    if (c.input.size() > 100'000) continue;
+    if (c.input.size() > 100'000 || takes_minutes_when_sanitized(c)) continue;
     Outcome outcome = right_outcome(c);
     outcome.steps.pop_back();
     Conventions conventions = judge.conventions;
