@@ -253,7 +253,15 @@ class Builder {
   void compile_adapter(std::size_t i) {
     BuiltFile& file = build_.files[i];
     objects_[i] = file.name + ".o";
-    file.ok = compiler_.compile_adapter(file.name, objects_[i]).ok();
+    const ProcessResult result = compiler_.compile_adapter(file.name, objects_[i]);
+    file.ok = result.ok();
+    if (result.timed_out && splice_.empty() && submission_.headers.empty()) {
+      throw GraderError("compiling " + file.name.substr(1) +
+                        ", a part of the grader's own, took longer than " +
+                        std::to_string(limits_.compile_seconds) +
+                        " s: this machine is very busy, or slow. Try again, or raise "
+                        "compile_seconds in the assignment");
+    }
   }
 
   /// Links the worker with these sources' objects.

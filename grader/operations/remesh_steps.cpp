@@ -206,7 +206,7 @@ int valence_deviation(const FaceLists& lists) {
 
 std::optional<FaceLists> surely_resized(const FaceLists& lists, double longer, double shorter) {
   const double mean = mean_edge_length(lists);
-  const auto split = surely_split(lists, {longer * mean, longer * mean});
+  auto split = surely_split(lists, {longer * mean, longer * mean});
   if (!split) return std::nullopt;
   if (shorter <= 0.0) return split;
   const double later_mean = mean_edge_length(*split);

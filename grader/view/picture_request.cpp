@@ -160,7 +160,7 @@ class StepReader {
 
 std::vector<ViewOperation> parse_steps(const std::string& text,
                                        const std::vector<ViewVerb>& verbs) {
-  const std::vector<ViewOperation> steps = StepReader(verbs).read(text);
+  std::vector<ViewOperation> steps = StepReader(verbs).read(text);
   const auto subdivisions =
       static_cast<std::size_t>(std::count_if(steps.begin(), steps.end(), subdivides));
   if (subdivisions > kMostSubdivisions || steps.size() > kMostSteps) {

@@ -217,5 +217,25 @@ TEST(Build, FunctionsOfTheStudentsOwnReplaceNoneOfTheWorkers) {
   EXPECT_EQ(first_normal(build), (Point3{1, 0, 0}));
 }
 
+// A busy machine is no fault of the student's: functions behind an adapter that is missing
+// would be told as not implemented.
+TEST(Build, AdapterThatTakesTooLongIsTheGradersFault) {
+  const ScratchFolder folder;
+  Home home = test_home();
+  const std::filesystem::path script = folder.path() / "slow";
+  std::ofstream(script) << "#!/bin/sh\n"
+                        << "case \"$*\" in *adapter.cpp*) sleep 10 ;; esac\n"
+                        << "exec " << home.compiler << " \"$@\"\n";
+  std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+  home.compiler = script.string();
+  home.sandbox = Sandbox();  // in which this compiler could not be found
+  Submission submission;
+  submission.dialect = Dialect::kScotty3d;
+  submission.sources = {{"halfedge-local.cpp", "int nothing_yet() { return 0; }\n"}};
+  Limits limits;
+  limits.compile_seconds = 2;
+  EXPECT_THROW(build_submission(submission, home, limits), GraderError);
+}
+
 }  // namespace
 }  // namespace meshgrade
