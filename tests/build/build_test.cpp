@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "grader/base/errors.h"
 #include "grader/cases/mesh_input.h"
 #include "grader/sandbox/lent_user.h"
 #include "tests/support/sample_meshes.h"
