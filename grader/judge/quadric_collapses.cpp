@@ -220,10 +220,9 @@ CollapsingMesh CollapsingMesh::collapsed(const LabelPair& edge, const Point3& at
   FaceLists lists = merged(lists_, {left, gone}, left);
   lists.positions[left] = at;
   CollapsingMesh after(lists, *way_);
-  if (!way_->is_anew) {
-    after.quadrics_ = quadrics_;
-    after.quadrics_[left] = quadric_of(edge);
-  }
+  const Quadric anew = after.quadrics_[left];
+  after.quadrics_ = quadrics_;
+  after.quadrics_[left] = way_->is_anew ? anew : quadric_of(edge);
   after.members_ = members_;
   const auto members_of = [&](Label v) {
     const auto known = members_.find(v);
