@@ -26,7 +26,7 @@ test('Faces, vertices and edges of polygons are edited by keys, and two edges ar
     await viewer.select(element);
     await page.keyboard.press(key);
     await viewer.steps(++steps);
-    await page.getByText(label, { exact: true }).first().waitFor();
+    await page.locator('.timeline').getByText(label).first().waitFor();
   }
   assert.equal(await page.locator('.timeline .sign.good').count(), 4);
   await viewer.select('e0');
