@@ -1,8 +1,8 @@
 #pragma once
 
-// How good the triangles of a mesh are, and how far it is from another one.
+// How good the triangles of a mesh are.
 
-#include "grader/operations/face_lists.h"
+#include "grader/mesh/mesh_dump.h"
 
 namespace meshgrade {
 
@@ -14,8 +14,5 @@ struct MeshQuality {
 
 /// @param mesh  keeps all mesh rules; two edges may have the same ends
 MeshQuality quality_of(const MeshDump& mesh);
-
-/// The distance of a point to a surface of triangles: to its nearest point.
-double distance_to(const FaceLists& triangles, const Point3& point);
 
 }  // namespace meshgrade

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "grader/mesh/point_products.h"
+
 namespace meshgrade {
 namespace {
 
@@ -11,17 +13,13 @@ Point3 way(const Point3& from, const Point3& to) {
   return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-double product(const Point3& p, const Point3& q) {
-  return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
-}
-
 double squared_distance_from_segment(const Point3& point, const Point3& p, const Point3& q) {
   const Point3 along = way(p, q);
   const Point3 out = way(p, point);
-  const double squared = product(along, along);
-  const double t = squared > 0.0 ? std::clamp(product(out, along) / squared, 0.0, 1.0) : 0.0;
+  const double squared = dot(along, along);
+  const double t = squared > 0.0 ? std::clamp(dot(out, along) / squared, 0.0, 1.0) : 0.0;
   const Point3 rest{out[0] - t * along[0], out[1] - t * along[1], out[2] - t * along[2]};
-  return product(rest, rest);
+  return dot(rest, rest);
 }
 
 /// Over the triangle if both barycentric coordinates say so, else from its sides.
@@ -30,17 +28,17 @@ double squared_distance(const Point3& point, const Point3& p, const Point3& q,
   const Point3 u = way(p, q);
   const Point3 v = way(p, r);
   const Point3 w = way(p, point);
-  const double uu = product(u, u);
-  const double uv = product(u, v);
-  const double vv = product(v, v);
+  const double uu = dot(u, u);
+  const double uv = dot(u, v);
+  const double vv = dot(v, v);
   const double det = uu * vv - uv * uv;
   if (det > 0.0) {
-    const double s = (vv * product(w, u) - uv * product(w, v)) / det;
-    const double t = (uu * product(w, v) - uv * product(w, u)) / det;
+    const double s = (vv * dot(w, u) - uv * dot(w, v)) / det;
+    const double t = (uu * dot(w, v) - uv * dot(w, u)) / det;
     if (s >= 0.0 && t >= 0.0 && s + t <= 1.0) {
       const Point3 rest{w[0] - s * u[0] - t * v[0], w[1] - s * u[1] - t * v[1],
                         w[2] - s * u[2] - t * v[2]};
-      return product(rest, rest);
+      return dot(rest, rest);
     }
   }
   return std::min({squared_distance_from_segment(point, p, q),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,18 @@ inline const Finding& first_finding(const ExerciseReport& report) {
     if (!c.findings.empty()) return c.findings[0].finding;
   }
   return none;
+}
+
+/// What is named as the cause, over all cases.
+inline std::set<std::string> causes_of(const ExerciseReport& report) {
+  std::set<std::string> names;
+  for (const CaseReport& c : report.cases) {
+    for (const auto& told : c.findings) {
+      for (const Misconception& m : told.finding.likely)
+        names.insert(m.name);
+    }
+  }
+  return names;
 }
 
 struct Change {

@@ -11,18 +11,6 @@
 namespace meshgrade {
 namespace {
 
-/// What is named as the cause, over all cases.
-std::set<std::string> causes_of(const ExerciseReport& report) {
-  std::set<std::string> names;
-  for (const CaseReport& c : report.cases) {
-    for (const auto& told : c.findings) {
-      for (const Misconception& m : told.finding.likely)
-        names.insert(m.name);
-    }
-  }
-  return names;
-}
-
 /// `rule` is the name of the misconception here.
 const Change kMisplaced[] = {
     {"Drifts", "extrude_positions", "const Vector3D p = outerCornerOf(side)->position;",

@@ -114,14 +114,7 @@ TEST_P(WronglySmoothed, IsNamedAlone) {
   const ExerciseReport report = grade_remeshing(smoothing, GetParam().edits);
   EXPECT_EQ(report.verdict, Verdict::kFailed);
   EXPECT_EQ(first_finding(report).rule, "position");
-  std::set<std::string> names;
-  for (const CaseReport& c : report.cases) {
-    for (const auto& told : c.findings) {
-      for (const Misconception& m : told.finding.likely)
-        names.insert(m.name);
-    }
-  }
-  EXPECT_EQ(names, std::set<std::string>{GetParam().rule});
+  EXPECT_EQ(causes_of(report), std::set<std::string>{GetParam().rule});
 }
 
 constexpr const char* kWay = "const Vector3D u = mean - p;";

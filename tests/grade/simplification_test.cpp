@@ -32,17 +32,6 @@ ExerciseReport grade_change(const Change& change, const Assignment& assignment) 
                     reference_file(path_of("edge_collapse")), assignment);
 }
 
-std::set<std::string> causes_of(const ExerciseReport& report) {
-  std::set<std::string> names;
-  for (const CaseReport& c : report.cases) {
-    for (const auto& told : c.findings) {
-      for (const Misconception& m : told.finding.likely)
-        names.insert(m.name);
-    }
-  }
-  return names;
-}
-
 const Assignment& what_tells_mistakes() {
   static const Assignment assignment =
       only_groups("simplification", {"basic", "several", "refused", "shape"});

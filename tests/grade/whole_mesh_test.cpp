@@ -15,18 +15,6 @@ SourceFile changed(const Change& change) {
   return altered(path_of(change.exercise), change.was, change.becomes);
 }
 
-/// All that is named as the cause of something, over all cases.
-std::set<std::string> named_causes(const ExerciseReport& report) {
-  std::set<std::string> names;
-  for (const CaseReport& c : report.cases) {
-    for (const auto& told : c.findings) {
-      for (const Misconception& m : told.finding.likely)
-        names.insert(m.name);
-    }
-  }
-  return names;
-}
-
 class WrongOnTheWhole : public testing::TestWithParam<Change> {};
 
 TEST_P(WrongOnTheWhole, LosesPointsAndIsToldWhy) {
@@ -117,7 +105,7 @@ TEST_P(Misunderstood, IsNamedAlone) {
   const Change& change = GetParam();
   const ExerciseReport report = grade_one(change.exercise, changed(change));
   EXPECT_EQ(report.verdict, Verdict::kFailed);
-  EXPECT_EQ(named_causes(report), std::set<std::string>{change.rule});
+  EXPECT_EQ(causes_of(report), std::set<std::string>{change.rule});
   EXPECT_EQ(first_finding(report).rule, "position") << first_finding(report).actual;
 }
 
@@ -220,14 +208,14 @@ TEST(MisunderstoodRules, FacesAreCountedForEdgesOnABoundary) {
     replace("double n = 0.0;", "double n = 0.0; double edges = 0.0;");
     replace("const Vector3D R = middles / n", means);
     const ExerciseReport report = grade_one("catmull_clark", file);
-    EXPECT_EQ(named_causes(report), std::set<std::string>{"boundary-like-inside"}) << means;
+    EXPECT_EQ(causes_of(report), std::set<std::string>{"boundary-like-inside"}) << means;
   }
 }
 
 TEST(MisunderstoodRules, SmoothPointsAreNoLinearOnes) {
   SourceFile file = altered(path_of("catmull_clark"), "PolyMesh::catmullClarkPositions() {",
                             "PolyMesh::linearPositions() {");
-  EXPECT_EQ(named_causes(grade_one("linear_subdivision", file)),
+  EXPECT_EQ(causes_of(grade_one("linear_subdivision", file)),
             std::set<std::string>{"smoothed"});
 }
 

@@ -13,6 +13,8 @@
 #include "grader/judge/remesh_lengths.h"
 #include "grader/judge/remesh_quality.h"
 #include "grader/judge/remesh_smoothing.h"
+#include "grader/judge/surface_distance.h"
+#include "grader/judge/triangle_surface.h"
 #include "grader/judge/unchanged_mesh.h"
 #include "grader/mesh/mesh_rules.h"
 #include "grader/operations/picked_element.h"
@@ -36,10 +38,6 @@ const std::vector<std::pair<std::string, NormalWeight>>& known_weights() {
       {"vertex normals weighted by angles", NormalWeight::kAngle},
       {"vertex normals that are the mean of unit normals", NormalWeight::kEqual}};
   return known;
-}
-
-std::string edge_text(const EdgeEnds& edge) {
-  return vertex_name(edge.first) + "-" + vertex_name(edge.second);
 }
 
 /// The edges of a mesh by the labels of their ends, in order; each as often as it is there.
@@ -74,44 +72,6 @@ int deviation_of(const std::vector<EdgeEnds>& edges) {
   for (const auto& [label, valence] : valences)
     sum += std::abs(valence - 6);
   return sum;
-}
-
-/// How many parts a mesh has that no edge joins.
-std::size_t parts_of(const MeshDump& mesh) {
-  std::vector<Ref> root(mesh.vertices.size());
-  std::iota(root.begin(), root.end(), 0U);
-  const auto find = [&](Ref v) {
-    while (root[v] != v)
-      v = root[v] = root[root[v]];
-    return v;
-  };
-  for (const HalfedgeRecord& h : mesh.halfedges) {
-    if (h.live != 0) root[find(h.vertex)] = find(mesh.halfedges[h.twin].vertex);
-  }
-  std::size_t parts = 0;
-  for (Ref v = 0; v < root.size(); ++v)
-    parts += mesh.vertices[v].live != 0 && root[v] == v ? 1 : 0;
-  return parts;
-}
-
-struct Topology {
-  std::size_t parts;
-  std::size_t loops;
-  long euler;  ///< V - E + F
-  bool operator==(const Topology& other) const {
-    return parts == other.parts && loops == other.loops && euler == other.euler;
-  }
-};
-
-Topology topology_of(const MeshDump& mesh) {
-  const Counts n = count(mesh);
-  return {parts_of(mesh), n.boundaries,
-          static_cast<long>(n.vertices + n.faces) - static_cast<long>(n.edges)};
-}
-
-std::string topology_text(const Topology& topology) {
-  return plural(topology.parts, "part") + ", " + plural(topology.loops, "boundary loop") +
-         ", V - E + F = " + std::to_string(topology.euler);
 }
 
 class RemeshJudge {
@@ -159,23 +119,19 @@ class RemeshJudge {
     for (const RuleBreak& broken : find_broken_rules(after_, FaceShape::kDegeneratePolygons))
       judgement_.findings.push_back(to_finding(broken, ""));
     if (!judgement_.findings.empty()) return false;
-    for (Ref f = 0; f < after_.faces.size(); ++f) {
-      if (after_.faces[f].live == 0) continue;
-      const auto n = corners_of(after_, ElementKind::kFace, f).corners.size();
-      if (n == 3) continue;
-      report("triangles", "every face is a triangle afterwards", face_name(f),
-             face_name(f) + " has 3 corners", face_name(f) + " has " + std::to_string(n),
-             "what is done besides calls of splitEdge, collapseEdge and flipEdge");
+    constexpr const char* kBesides =
+        "what is done besides calls of splitEdge, collapseEdge and flipEdge";
+    if (auto other = find_other_face(after_, kBesides)) {
+      judgement_.findings.push_back(std::move(*other));
       return false;
     }
-    const Topology before = topology_of(start_);
-    const Topology now = topology_of(after_);
+    const std::string before = topology_text(start_);
+    const std::string now = topology_text(after_);
     if (before == now) return true;
     report("topology",
            "remeshing makes other triangles, and leaves the surface what it is: as many parts, "
            "handles and boundary loops",
-           "the mesh", topology_text(before), topology_text(now),
-           "what is done besides calls of splitEdge, collapseEdge and flipEdge");
+           "the mesh", before, now, kBesides);
     return false;
   }
 
@@ -432,7 +388,7 @@ class RemeshJudge {
   void judge_distance(double mean) {
     for (Ref v = 0; v < after_.vertices.size(); ++v) {
       if (after_.vertices[v].live == 0) continue;
-      const double off = distance_to(lists_, after_.vertices[v].position);
+      const double off = distance_from(after_.vertices[v].position, lists_);
       if (off <= kFarthest * mean) continue;
       report("near-the-surface", "the new vertices lie where the surface was", vertex_name(v),
              "at most " + number_text(kFarthest, 2) + " L away from it",

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 
 #include "grader/base/text.h"
@@ -13,6 +12,7 @@
 #include "grader/judge/options.h"
 #include "grader/judge/point_compare.h"
 #include "grader/judge/surface_distance.h"
+#include "grader/judge/triangle_surface.h"
 #include "grader/judge/unchanged_mesh.h"
 #include "grader/mesh/mesh_rules.h"
 #include "grader/operations/picked_element.h"
@@ -75,29 +75,6 @@ Ref edge_between(const MeshDump& mesh, const LabelPair& ends) {
   return kUnsetRef;
 }
 
-std::string edge_text(const LabelPair& ends) {
-  return vertex_name(ends.first) + "-" + vertex_name(ends.second);
-}
-
-/// How many parts of a mesh hang together.
-std::size_t count_parts(const MeshDump& mesh) {
-  std::vector<Ref> part(mesh.vertices.size());
-  std::iota(part.begin(), part.end(), 0U);
-  const auto root = [&](Ref v) {
-    while (part[v] != v)
-      v = part[v] = part[part[v]];
-    return v;
-  };
-  for (const HalfedgeRecord& h : mesh.halfedges) {
-    if (h.live != 0) part[root(h.vertex)] = root(mesh.halfedges[h.twin].vertex);
-  }
-  std::set<Ref> roots;
-  for (Ref v = 0; v < mesh.vertices.size(); ++v) {
-    if (mesh.vertices[v].live != 0) roots.insert(root(v));
-  }
-  return roots.size();
-}
-
 constexpr const char* kNothingToDo = "what is done before the goal is compared with nFaces()";
 constexpr UnchangedWords kStays{"a mesh that has few enough faces stays as it is", kNothingToDo,
                                 kNothingToDo};
@@ -157,23 +134,10 @@ class SimplificationJudge {
             "; only collapseEdge() changes pointers here: is it right on its own?";
     }
     if (!judgement_.findings.empty()) return false;
-    for (Ref f = 0; f < after_.faces.size(); ++f) {
-      if (after_.faces[f].live == 0) continue;
-      const std::size_t n = corners_of(after_, ElementKind::kFace, f).corners.size();
-      if (n == 3) continue;
-      report("triangles", "every face is still a triangle", face_name(f),
-             face_name(f) + " has 3 corners", face_name(f) + " has " + std::to_string(n),
-             "which functions are called besides collapseEdge()");
-      return false;
-    }
-    return true;
-  }
-
-  static std::string topology_text(const MeshDump& mesh) {
-    const Counts n = count(mesh);
-    const auto euler = static_cast<long>(n.vertices + n.faces) - static_cast<long>(n.edges);
-    return plural(count_parts(mesh), "part") + ", " + plural(n.boundaries, "boundary loop") +
-           ", vertices - edges + faces = " + std::to_string(euler);
+    if (auto other =
+            find_other_face(after_, "which functions are called besides collapseEdge()"))
+      judgement_.findings.push_back(std::move(*other));
+    return judgement_.findings.empty();
   }
 
   bool has_topology() {
