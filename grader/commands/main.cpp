@@ -28,6 +28,7 @@
 #include "grader/commands/mesh_info_command.h"
 #include "grader/commands/replay_command.h"
 #include "grader/commands/similarity_command.h"
+#include "grader/commands/simplify_command.h"
 #include "grader/commands/subdivide_command.h"
 #include "grader/commands/view_command.h"
 #include "grader/commands/watch_command.h"
@@ -64,6 +65,7 @@ int run(int argc, char** argv) {
   meshgrade::add_hint_command(app, exit_code);
   meshgrade::add_list_command(app, exit_code);
   meshgrade::add_subdivide_command(app, exit_code);
+  meshgrade::add_simplify_command(app, exit_code);
   meshgrade::add_mesh_info_command(app, exit_code);
   meshgrade::add_autograde_command(app, exit_code);
   meshgrade::add_bundle_command(app, exit_code);

@@ -1,7 +1,5 @@
 #include "grader/commands/subdivide_command.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -11,6 +9,7 @@
 
 #include "grader/base/errors.h"
 #include "grader/commands/output_check.h"
+#include "grader/commands/progress_bar.h"
 #include "grader/files/mesh_file.h"
 #include "grader/subdivide/direct_catmull_clark.h"
 #include "grader/subdivide/direct_loop.h"
@@ -32,30 +31,6 @@ struct Arguments {
   SubdivisionOptions options;
 };
 
-/// A bar on stderr that is drawn over itself and gone in the end.
-class ProgressBar {
- public:
-  ProgressBar() = default;
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar& operator=(const ProgressBar&) = delete;
-  ~ProgressBar() {
-    if (drawn_ >= 0) std::cerr << "\r" << std::string(kWidth + 8, ' ') << "\r" << std::flush;
-  }
-
-  void show(double done) {
-    const int percent = static_cast<int>(100 * done);
-    if (percent == drawn_) return;
-    drawn_ = percent;
-    const auto filled = static_cast<std::size_t>(percent) * kWidth / 100;
-    std::cerr << "\r[" << std::string(filled, '#') << std::string(kWidth - filled, ' ') << "] "
-              << percent << "%" << std::flush;
-  }
-
- private:
-  static constexpr std::size_t kWidth = 50;
-  int drawn_ = -1;
-};
-
 std::string counts(std::size_t vertices, std::size_t edges, std::size_t faces) {
   return std::to_string(vertices) + " vertices, " + std::to_string(edges) + " edges, " +
          std::to_string(faces) + " faces";
@@ -63,7 +38,7 @@ std::string counts(std::size_t vertices, std::size_t edges, std::size_t faces) {
 
 void subdivide_with_progress(DirectSurface& surface, SubdivisionOptions options) {
   ProgressBar bar;
-  if (isatty(STDERR_FILENO) != 0 && surface.n_faces_after(options.levels) >= kLongWork) {
+  if (ProgressBar::is_wanted() && surface.n_faces_after(options.levels) >= kLongWork) {
     options.progress = [&bar](double done) { bar.show(done); };
   }
   surface.subdivide(options);

@@ -3,6 +3,7 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <OpenMesh/Tools/Decimater/Observer.hh>
 
 namespace meshgrade {
 namespace {
@@ -13,6 +14,19 @@ struct InDouble : OpenMesh::DefaultTraits {
 };
 
 using DecimatedMesh = OpenMesh::TriMesh_ArrayKernelT<InDouble>;
+
+class Told : public OpenMesh::Decimater::Observer {
+ public:
+  explicit Told(const std::function<void(std::size_t)>& progress)
+      : Observer(kCollapsesBetween), progress_(progress) {}
+  void notify(std::size_t collapses) override {
+    if (progress_) progress_(collapses);
+  }
+
+ private:
+  static constexpr std::size_t kCollapsesBetween = 1000;
+  const std::function<void(std::size_t)>& progress_;
+};
 
 DecimatedMesh to_openmesh(const PolygonMesh& mesh) {
   DecimatedMesh built;
@@ -40,12 +54,15 @@ PolygonMesh from_openmesh(const DecimatedMesh& built) {
 
 }  // namespace
 
-PolygonMesh openmesh_decimation(const PolygonMesh& mesh, std::size_t faces) {
+PolygonMesh openmesh_decimation(const PolygonMesh& mesh, std::size_t faces,
+                                const std::function<void(std::size_t)>& progress) {
   DecimatedMesh built = to_openmesh(mesh);
   OpenMesh::Decimater::DecimaterT<DecimatedMesh> decimater(built);
   OpenMesh::Decimater::ModQuadricT<DecimatedMesh>::Handle quadrics;
   decimater.add(quadrics);
   decimater.module(quadrics).unset_max_err();
+  Told told(progress);
+  decimater.set_observer(&told);
   decimater.initialize();
   decimater.decimate_to_faces(0, faces);
   built.garbage_collection();

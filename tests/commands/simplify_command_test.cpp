@@ -1,0 +1,86 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "grader/files/mesh_file.h"
+#include "tests/commands/command_line.h"
+
+namespace meshgrade {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class SimplifyCommand : public CommandLine {
+ protected:
+  static std::string given(const std::string& name) {
+    return MESHGRADE_SOURCE_DIR "/meshes/" + name;
+  }
+  std::string result(const std::string& name) const { return (folder_ / name).string(); }
+};
+
+TEST_F(SimplifyCommand, LeavesSoManyFacesOfTheSameTopologyAndOnlyGivenPoints) {
+  const std::string fine = result("fine.obj");
+  ASSERT_EQ(call({"subdivide", given("double_torus.obj"), "-n", "2", "-o", fine}).status, 0);
+  const PolygonMesh before = read_mesh(fine).mesh;
+  const std::size_t asked = before.polygons.size() / 4;
+  const std::string out = result("coarse.off");
+  const Said said = call({"simplify", fine, "--faces", std::to_string(asked), "-o", out});
+  EXPECT_EQ(said.status, 0) << said.output;
+  const PolygonMesh after = read_mesh(out).mesh;
+  EXPECT_EQ(after.polygons.size(), asked);
+  EXPECT_THAT(said.output, HasSubstr(std::to_string(asked) + " faces (before: "));
+  for (const Point3& p : after.positions)
+    EXPECT_EQ(std::count(before.positions.begin(), before.positions.end(), p), 1);
+  EXPECT_THAT(call({"mesh-info", out}).output, HasSubstr("genus       2\n"));
+}
+
+TEST_F(SimplifyCommand, AMeshThatIsSmallEnoughStaysAsItIs) {
+  const Said said =
+      call({"simplify", given("tetrahedron.obj"), "--faces", "4", "-o", result("same.obj")});
+  EXPECT_EQ(said.status, 0) << said.output;
+  EXPECT_THAT(said.output, HasSubstr("4 vertices, 4 faces, as they were"));
+  EXPECT_EQ(read_mesh(result("same.obj")).mesh.polygons,
+            read_mesh(given("tetrahedron.obj")).mesh.polygons);
+}
+
+TEST_F(SimplifyCommand, SaysWhereNoEdgeMayBeCollapsedAnyMore) {
+  const Said said =
+      call({"simplify", given("octahedron.off"), "--faces", "1", "-o", result("least.obj")});
+  EXPECT_EQ(said.status, 0) << said.output;
+  EXPECT_THAT(said.output, HasSubstr("more faces than 1"));
+  EXPECT_EQ(read_mesh(result("least.obj")).mesh.polygons.size(), 4U);
+}
+
+TEST_F(SimplifyCommand, RefusesPolygonsAndNamesTheFirst) {
+  const Said said =
+      call({"simplify", given("mixed_strip.obj"), "--faces", "2", "-o", result("out.obj")});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_THAT(said.output, HasSubstr("mixed_strip.obj: face f"));
+  EXPECT_THAT(said.output, HasSubstr("only meshes of triangles are simplified"));
+  EXPECT_FALSE(fs::exists(result("out.obj")));
+}
+
+TEST_F(SimplifyCommand, RefusesWhatIsNoManifoldRatherThanLosingFaces) {
+  for (const char* file : {"bow_tie.obj", "moebius_strip.obj", "inconsistent_winding.obj"}) {
+    const Said said = call({"simplify", given(std::string("invalid/") + file), "--faces", "1",
+                            "-o", result("out.obj")});
+    EXPECT_EQ(said.status, 2) << file;
+    EXPECT_THAT(said.output, HasSubstr(file));
+    EXPECT_THAT(said.output, HasSubstr("only a manifold of triangles is simplified")) << file;
+    EXPECT_FALSE(fs::exists(result("out.obj"))) << file;
+  }
+}
+
+TEST_F(SimplifyCommand, NeedsTheNumberOfFaces) {
+  const Said said = call({"simplify", given("cube.obj"), "-o", result("out.obj")});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_THAT(said.output, HasSubstr("--faces is required"));
+  EXPECT_EQ(
+      call({"simplify", given("cube.obj"), "--faces", "0", "-o", result("out.obj")}).status, 2);
+}
+
+}  // namespace
+}  // namespace meshgrade
