@@ -78,9 +78,10 @@ std::optional<RemeshSettings> sure_factors(const PolygonMesh& mesh, WantedEdges 
   if (wanted.some_long) long_limits = limits_between(shares, true);
   if (wanted.some_short) short_limits = limits_between(shares, false);
   for (const double longer : long_limits) {
-    if (!surely_resized(lists, longer, 0.0)) continue;
+    const auto split = surely_split(lists, longer);
+    if (!split) continue;
     for (const double shorter : short_limits) {
-      if (!surely_resized(lists, longer, shorter)) continue;
+      if (!surely_collapsed(*split, mean_edge_length(lists), shorter)) continue;
       RemeshSettings settings;
       settings.longer = longer;
       settings.shorter = shorter;

@@ -142,8 +142,8 @@ bool CollapsingMesh::is_sound(const LabelPair& edge) const {
   for (const std::size_t face : surface_.faces_at(a))
     beside += has_corner(lists_.faces[face], b) ? 1U : 0U;
   std::vector<Label> common;
-  const auto& of_a = surface_.neighbours(a);
-  const auto& of_b = surface_.neighbours(b);
+  const auto of_a = surface_.neighbours(a);
+  const auto of_b = surface_.neighbours(b);
   std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(),
                         std::back_inserter(common));
   if (common.size() != beside) return false;
@@ -168,8 +168,8 @@ bool CollapsingMesh::turns_a_face(const LabelPair& edge, const Point3& at) const
     const Point3 m = area_vector(moved[0], moved[1], moved[2]);
     return !(dot(n, m) > kMuch * std::sqrt(dot(n, n) * dot(m, m)));
   };
-  const auto& at_a = surface_.faces_at(edge.first);
-  const auto& at_b = surface_.faces_at(edge.second);
+  const auto at_a = surface_.faces_at(edge.first);
+  const auto at_b = surface_.faces_at(edge.second);
   return std::any_of(at_a.begin(), at_a.end(), turns) ||
          std::any_of(at_b.begin(), at_b.end(), turns);
 }

@@ -1,6 +1,8 @@
 #include "grader/operations/face_lists.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include "grader/mesh/build_mesh.h"
 #include "grader/mesh/dump_mesh.h"
@@ -77,30 +79,114 @@ Corners round_of(const std::map<Label, Label>& next) {
   return corners;
 }
 
+namespace {
+
+/// From how many there are of each label to where each begins.
+void add_up(std::vector<std::size_t>& begins) {
+  std::size_t sum = 0;
+  for (std::size_t& begin : begins)
+    begin = std::exchange(sum, sum + begin);
+}
+
+}  // namespace
+
 Surface::Surface(const FaceLists& lists) {
+  for (const Corners& corners : lists.faces) {
+    for (const Label corner : corners)
+      n_labels_ = std::max(n_labels_, std::size_t{corner} + 1);
+  }
+  find_sides(lists);
+  find_neighbours(lists);
+  find_boundary();
+}
+
+void Surface::find_sides(const FaceLists& lists) {
+  sides_begin_.assign(n_labels_ + 1, 0);
+  std::size_t n_sides = 0;
+  for (const Corners& corners : lists.faces) {
+    for (const Label corner : corners)
+      ++sides_begin_[corner];
+    n_sides += corners.size();
+  }
+  add_up(sides_begin_);
+  ends_.resize(n_sides);
+  faces_.resize(n_sides);
+  Begins next = sides_begin_;
   for (std::size_t f = 0; f < lists.faces.size(); ++f) {
     const Corners& corners = lists.faces[f];
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Label a = corners[i];
-      const Label b = corners[(i + 1) % corners.size()];
-      sides_[{a, b}] = f;
-      neighbours_[a].insert(b);
-      neighbours_[b].insert(a);
-      faces_at_[a].push_back(f);
+      const std::size_t side = next[corners[i]]++;
+      ends_[side] = corners[i + 1 == corners.size() ? 0 : i + 1];
+      faces_[side] = f;
     }
-  }
-  for (const auto& side : sides_) {
-    const auto [a, b] = side.first;
-    if (sides_.count({b, a}) != 0) continue;
-    boundary_.insert({a, b});
-    next_outside_[b] = a;
   }
 }
 
+void Surface::find_neighbours(const FaceLists& lists) {
+  std::vector<std::pair<Label, Label>> pairs;
+  pairs.reserve(2 * ends_.size());
+  for (const Corners& corners : lists.faces) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Label a = corners[i];
+      const Label b = corners[i + 1 == corners.size() ? 0 : i + 1];
+      pairs.emplace_back(a, b);
+      pairs.emplace_back(b, a);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  neighbours_begin_.assign(n_labels_ + 1, 0);
+  for (const auto& [label, neighbour] : pairs) {
+    ++neighbours_begin_[label];
+    neighbours_.push_back(neighbour);
+  }
+  add_up(neighbours_begin_);
+}
+
+void Surface::find_boundary() {
+  is_boundary_.assign(n_labels_, false);
+  next_outside_.assign(n_labels_, 0);
+  for (Label a = 0; a < n_labels_; ++a) {
+    for (std::size_t side = sides_begin_[a]; side < sides_begin_[a + 1]; ++side) {
+      const Label b = ends_[side];
+      if (face_with_side(b, a)) continue;
+      is_boundary_[a] = is_boundary_[b] = true;
+      next_outside_[b] = a;
+    }
+  }
+}
+
+template <typename T>
+std::span<const T> Surface::row_of(const Begins& begins, const std::vector<T>& all,
+                                   Label label) {
+  if (label + std::size_t{1} >= begins.size() || begins[label] == begins[label + 1])
+    throw std::out_of_range("no face has the corner " + std::to_string(label));
+  return std::span(all).subspan(begins[label], begins[label + 1] - begins[label]);
+}
+
+bool Surface::is_boundary(Label vertex) const {
+  return vertex < n_labels_ && is_boundary_[vertex];
+}
+
+std::span<const Label> Surface::neighbours(Label vertex) const {
+  return row_of(neighbours_begin_, neighbours_, vertex);
+}
+
+bool Surface::are_neighbours(Label a, Label b) const {
+  const std::span<const Label> of_a = neighbours(a);
+  return std::binary_search(of_a.begin(), of_a.end(), b);
+}
+
+std::span<const std::size_t> Surface::faces_at(Label vertex) const {
+  return row_of(sides_begin_, faces_, vertex);
+}
+
 std::optional<std::size_t> Surface::face_with_side(Label a, Label b) const {
-  const auto found = sides_.find({a, b});
-  if (found == sides_.end()) return std::nullopt;
-  return found->second;
+  if (a >= n_labels_) return std::nullopt;
+  for (std::size_t side = sides_begin_[a + 1]; side-- > sides_begin_[a];) {
+    if (ends_[side] == b) return faces_[side];
+  }
+  return std::nullopt;
 }
 
 bool Surface::is_edge(Label a, Label b) const {
@@ -122,31 +208,53 @@ bool Surface::is_outside(Label a, Label b) const {
   return !face_with_side(a, b) && face_with_side(b, a);
 }
 
-MeshDump mesh_of(const FaceLists& lists) {
-  // Only what is in use, numbered as build() does it.
+namespace {
+
+/// A half-edge mesh of the faces of some lists, whose vertices are those in use.
+struct NumberedMesh {
+  meshedit::HalfedgeMesh mesh;
+  std::vector<Label> labels;  ///< by the numbers of its vertices
+};
+
+/// Numbers the vertices as build() does it.
+void build_numbered(const FaceLists& lists, NumberedMesh& built) {
+  constexpr std::uint32_t kUnused = kUnsetRef;
   PolygonMesh polygons;
-  std::map<Label, std::uint32_t> numbers;
-  std::vector<Label> labels;  // by these numbers
+  polygons.polygons.reserve(lists.faces.size());
+  std::vector<std::uint32_t> numbers(lists.positions.size(), kUnused);
   for (const Corners& corners : lists.faces) {
     auto& polygon = polygons.polygons.emplace_back();
-    for (Label label : corners) {
-      const auto [place, is_new] =
-          numbers.try_emplace(label, static_cast<std::uint32_t>(labels.size()));
-      if (is_new) {
-        labels.push_back(label);
+    for (const Label label : corners) {
+      if (numbers[label] == kUnused) {
+        numbers[label] = static_cast<std::uint32_t>(built.labels.size());
+        built.labels.push_back(label);
         polygons.positions.push_back(lists.positions[label]);
       }
-      polygon.push_back(place->second);
+      polygon.push_back(numbers[label]);
     }
   }
-  meshedit::HalfedgeMesh mesh;
-  build_mesh(polygons, mesh);
-  MeshDump dump = dump_mesh(mesh);
+  build_mesh(polygons, built.mesh);
+}
+
+bool has_two_faces_of_the_same_corners(const FaceLists& lists) {
+  std::vector<Corners> sorted = lists.faces;
+  for (Corners& corners : sorted)
+    std::sort(corners.begin(), corners.end());
+  std::sort(sorted.begin(), sorted.end());
+  return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+}
+
+}  // namespace
+
+MeshDump mesh_of(const FaceLists& lists) {
+  NumberedMesh built;
+  build_numbered(lists, built);
+  MeshDump dump = dump_mesh(built.mesh);
   std::vector<VertexRecord> vertices(lists.positions.size(), VertexRecord{kUnsetRef, 0, {}});
-  for (std::size_t i = 0; i < labels.size(); ++i)
-    vertices[labels[i]] = dump.vertices[i];
+  for (std::size_t i = 0; i < built.labels.size(); ++i)
+    vertices[built.labels[i]] = dump.vertices[i];
   for (HalfedgeRecord& h : dump.halfedges)
-    h.vertex = labels[h.vertex];
+    h.vertex = built.labels[h.vertex];
   dump.vertices = std::move(vertices);
   return dump;
 }
@@ -154,16 +262,12 @@ MeshDump mesh_of(const FaceLists& lists) {
 std::string trouble_of(const FaceLists& lists) {
   if (lists.faces.empty()) return "nothing would be left";
   try {
-    mesh_of(lists);
+    NumberedMesh built;
+    build_numbered(lists, built);
   } catch (const meshedit::MeshError& error) {
     return error.what();
   }
-  std::set<Corners> known;
-  for (Corners corners : lists.faces) {
-    std::sort(corners.begin(), corners.end());
-    if (!known.insert(std::move(corners)).second)
-      return "two faces would have the same corners";
-  }
+  if (has_two_faces_of_the_same_corners(lists)) return "two faces would have the same corners";
   return {};
 }
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,22 +62,38 @@ class Surface {
   std::optional<std::size_t> face_with_side(Label a, Label b) const;
   bool is_edge(Label a, Label b) const;
   bool is_boundary_edge(Label a, Label b) const;
-  bool is_boundary(Label vertex) const { return boundary_.count(vertex) != 0; }
-  /// By edges, in ascending order.
-  const std::set<Label>& neighbours(Label vertex) const { return neighbours_.at(vertex); }
+  bool is_boundary(Label vertex) const;
+  /// By edges, in ascending order, each once.
+  /// @throws std::out_of_range if no face has this corner
+  std::span<const Label> neighbours(Label vertex) const;
+  bool are_neighbours(Label a, Label b) const;
   /// The faces that have this corner, in ascending order.
-  const std::vector<std::size_t>& faces_at(Label vertex) const { return faces_at_.at(vertex); }
+  /// @throws std::out_of_range if no face has this corner
+  std::span<const std::size_t> faces_at(Label vertex) const;
   /// The corners of the boundary loop that has the side from `a` to `b`, outside, in its order.
   Corners loop_of(Label a, Label b) const;
   /// Whether no face has the side from `a` to `b`, but one has that from `b` to `a`.
   bool is_outside(Label a, Label b) const;
 
  private:
-  std::map<std::pair<Label, Label>, std::size_t> sides_;
-  std::map<Label, std::set<Label>> neighbours_;
-  std::map<Label, std::vector<std::size_t>> faces_at_;
-  std::set<Label> boundary_;
-  std::map<Label, Label> next_outside_;
+  /// Where what belongs to each label begins in a list of all, and where the last one ends.
+  using Begins = std::vector<std::size_t>;
+
+  template <typename T>
+  static std::span<const T> row_of(const Begins& begins, const std::vector<T>& all, Label label);
+
+  void find_sides(const FaceLists& lists);
+  void find_neighbours(const FaceLists& lists);
+  void find_boundary();
+
+  std::size_t n_labels_ = 0;
+  Begins sides_begin_;               ///< of the sides that start at a label
+  std::vector<Label> ends_;          ///< of each side
+  std::vector<std::size_t> faces_;   ///< of each side
+  Begins neighbours_begin_;
+  std::vector<Label> neighbours_;
+  std::vector<bool> is_boundary_;    ///< by label
+  std::vector<Label> next_outside_;  ///< by label; of no use inside
 };
 
 /// What keeps these lists from being a surface without two edges between the same vertices and

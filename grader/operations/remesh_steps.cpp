@@ -36,7 +36,7 @@ bool share_a_face(const FaceLists& lists, const std::set<EdgeEnds>& edges) {
   });
 }
 
-std::optional<FaceLists> surely_split(const FaceLists& lists, const Limit& limit) {
+std::optional<FaceLists> split_beyond(const FaceLists& lists, const Limit& limit) {
   std::set<EdgeEnds> too_long;
   for (const EdgeEnds& edge : edges_of(lists)) {
     const double length = edge_length(lists, edge);
@@ -56,8 +56,9 @@ std::optional<FaceLists> surely_split(const FaceLists& lists, const Limit& limit
 
 /// The ends of an edge and their neighbours.
 std::set<Label> around(const Surface& surface, const EdgeEnds& edge) {
-  std::set<Label> labels = surface.neighbours(edge.first);
-  const std::set<Label>& others = surface.neighbours(edge.second);
+  const std::span<const Label> its = surface.neighbours(edge.first);
+  const std::span<const Label> others = surface.neighbours(edge.second);
+  std::set<Label> labels(its.begin(), its.end());
   labels.insert(others.begin(), others.end());
   return labels;
 }
@@ -73,7 +74,7 @@ bool lie_apart(const Surface& surface, const std::set<EdgeEnds>& edges) {
   return true;
 }
 
-std::optional<FaceLists> surely_collapsed(const FaceLists& lists, const Limit& limit) {
+std::optional<FaceLists> collapsed_below(const FaceLists& lists, const Limit& limit) {
   std::set<EdgeEnds> too_short;
   for (const EdgeEnds& edge : edges_of(lists)) {
     const double length = edge_length(lists, edge);
@@ -131,12 +132,14 @@ bool are_independent(const std::vector<FlipPlace>& all, const std::vector<FlipPl
 }  // namespace
 
 std::vector<EdgeEnds> edges_of(const FaceLists& lists) {
-  std::set<EdgeEnds> edges;
+  std::vector<EdgeEnds> edges;
   for (const Corners& face : lists.faces) {
     for (std::size_t i = 0; i < face.size(); ++i)
-      edges.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
+      edges.push_back(std::minmax(face[i], face[(i + 1) % face.size()]));
   }
-  return {edges.begin(), edges.end()};
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
 }
 
 double edge_length(const FaceLists& lists, const EdgeEnds& edge) {
@@ -205,13 +208,20 @@ int valence_deviation(const FaceLists& lists) {
 }
 
 std::optional<FaceLists> surely_resized(const FaceLists& lists, double longer, double shorter) {
+  const auto split = surely_split(lists, longer);
+  return split ? surely_collapsed(*split, mean_edge_length(lists), shorter) : std::nullopt;
+}
+
+std::optional<FaceLists> surely_split(const FaceLists& lists, double longer) {
   const double mean = mean_edge_length(lists);
-  auto split = surely_split(lists, {longer * mean, longer * mean});
-  if (!split) return std::nullopt;
+  return split_beyond(lists, {longer * mean, longer * mean});
+}
+
+std::optional<FaceLists> surely_collapsed(const FaceLists& split, double mean, double shorter) {
   if (shorter <= 0.0) return split;
-  const double later_mean = mean_edge_length(*split);
-  return surely_collapsed(
-      *split, {shorter * std::min(mean, later_mean), shorter * std::max(mean, later_mean)});
+  const double later_mean = mean_edge_length(split);
+  return collapsed_below(
+      split, {shorter * std::min(mean, later_mean), shorter * std::max(mean, later_mean)});
 }
 
 std::optional<FaceLists> surely_flipped(const FaceLists& lists) {

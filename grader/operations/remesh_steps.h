@@ -47,6 +47,11 @@ int valence_deviation(const FaceLists& lists);
 ///         left has an edge too short again, or a collapse may be refused
 std::optional<FaceLists> surely_resized(const FaceLists& lists, double longer, double shorter);
 
+/// The first half of it, and the second one.
+/// @param mean  length of the edges before they were split; that of `split` may be taken as well
+std::optional<FaceLists> surely_split(const FaceLists& lists, double longer);
+std::optional<FaceLists> surely_collapsed(const FaceLists& split, double mean, double shorter);
+
 /// After all edges were flipped where that pays.
 /// @return nothing if solutions may differ: the mesh is open, or a flip changes what another
 ///         one is worth, or would double an edge

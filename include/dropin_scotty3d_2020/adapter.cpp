@@ -40,11 +40,10 @@ RefinedPositions refine(PolyMesh& mesh, void (Halfedge_Mesh::*function)()) {
 /// Whether the course's program calls loop_subdivide() at all.
 bool takes_loop(const PolyMesh& mesh) {
   const detail::StepPause pause;
-  if (mesh.nBoundaries() != 0) return false;
-  for (FaceCIter f = mesh.facesBegin(); f != mesh.facesEnd(); ++f) {
-    if (f->degree() != 3) return false;
-  }
-  return true;
+  bool has_others = mesh.nBoundaries() != 0;
+  for (FaceCIter f = mesh.facesBegin(); f != mesh.facesEnd(); ++f)
+    has_others = has_others || f->degree() != 3;
+  return !has_others;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace meshedit {
 namespace {
 
 // The quadric v^T A v + 2 b . v + c of a point v. A is symmetric.
-struct Quadric {
+struct ErrorQuadric {
   Vector3D A[3];  // its columns
   Vector3D b;
   double c = 0.0;
@@ -19,12 +19,12 @@ struct Quadric {
   }
 };
 
-Quadric operator+(const Quadric& p, const Quadric& q) {
+ErrorQuadric operator+(const ErrorQuadric& p, const ErrorQuadric& q) {
   return {{p.A[0] + q.A[0], p.A[1] + q.A[1], p.A[2] + q.A[2]}, p.b + q.b, p.c + q.c};
 }
 
 // The squared distance from the plane of a triangle. None if it has no area.
-Quadric quadricOf(FaceIter f) {
+ErrorQuadric quadricOf(FaceIter f) {
   const HalfedgeIter h = f->halfedge();
   const Vector3D p = h->vertex()->position;
   const Vector3D normal =
@@ -36,7 +36,7 @@ Quadric quadricOf(FaceIter f) {
 }
 
 // Where on the way from p to q the quadric is least.
-Vector3D bestBetween(const Quadric& K, const Vector3D& p, const Vector3D& q) {
+Vector3D bestBetween(const ErrorQuadric& K, const Vector3D& p, const Vector3D& q) {
   const double start = K.at(p);
   const double middle = K.at(0.5 * (p + q));
   const double end = K.at(q);
@@ -49,7 +49,7 @@ Vector3D bestBetween(const Quadric& K, const Vector3D& p, const Vector3D& q) {
 
 // Where the quadric is least: A v = -b, by Cramer's rule. If that has no single solution (all
 // is flat, or straight like a crease), the best point of the edge.
-Vector3D bestPoint(const Quadric& K, EdgeIter e) {
+Vector3D bestPoint(const ErrorQuadric& K, EdgeIter e) {
   const Vector3D across = cross(K.A[1], K.A[2]);
   const double det = dot(K.A[0], across);
   const double size = K.A[0].x + K.A[1].y + K.A[2].z;
@@ -78,7 +78,7 @@ class Candidates {
  public:
   explicit Candidates(PolyMesh& mesh) {
     for (VertexIter v = mesh.verticesBegin(); v != mesh.verticesEnd(); ++v) {
-      Quadric sum;
+      ErrorQuadric sum;
       HalfedgeIter h = v->halfedge();
       do {
         if (!h->isBoundary()) sum = sum + quadricOf(h->face());
@@ -94,7 +94,7 @@ class Candidates {
   EdgeIter cheapest() const { return order_.begin()->second; }
   Vector3D bestPointOf(EdgeIter e) const { return bestPoint(quadricOfEdge(e), e); }
 
-  Quadric quadricOfEdge(EdgeIter e) const {
+  ErrorQuadric quadricOfEdge(EdgeIter e) const {
     const HalfedgeIter h = e->halfedge();
     return quadrics_.at(h->vertex()) + quadrics_.at(h->twin()->vertex());
   }
@@ -107,7 +107,7 @@ class Candidates {
   }
 
   // A vertex has moved: the edges at it cost something else now.
-  void update(VertexIter v, const Quadric& K) {
+  void update(VertexIter v, const ErrorQuadric& K) {
     quadrics_[v] = K;
     for (EdgeIter e : edgesAt(v)) {
       remove(e);
@@ -117,13 +117,13 @@ class Candidates {
 
  private:
   void add(EdgeIter e) {
-    const Quadric K = quadricOfEdge(e);
+    const ErrorQuadric K = quadricOfEdge(e);
     const double cost = K.at(bestPoint(K, e));
     costs_[e] = cost;
     order_.insert({cost, e});
   }
 
-  std::map<VertexIter, Quadric> quadrics_;
+  std::map<VertexIter, ErrorQuadric> quadrics_;
   std::map<EdgeIter, double> costs_;  // of the edges in order_
   std::set<std::pair<double, EdgeIter>> order_;
 };
@@ -159,7 +159,7 @@ bool PolyMesh::simplify(double ratio) {
     if (candidates.empty()) return false;
     const EdgeIter e = candidates.cheapest();
     candidates.remove(e);
-    const Quadric K = candidates.quadricOfEdge(e);
+    const ErrorQuadric K = candidates.quadricOfEdge(e);
     const Vector3D best = candidates.bestPointOf(e);
     std::vector<EdgeIter> around;  // some of them go
     for (VertexIter end : {e->halfedge()->vertex(), e->halfedge()->twin()->vertex()}) {

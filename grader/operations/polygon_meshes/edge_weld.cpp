@@ -17,17 +17,17 @@ BoundaryEdge boundary_edge(const Surface& surface, const Corners& ends) {
 }
 
 bool share_a_face(const FaceLists& before, const Surface& surface, Label a, Label b) {
-  const std::vector<std::size_t>& faces = surface.faces_at(a);
+  const std::span<const std::size_t> faces = surface.faces_at(a);
   return std::any_of(faces.begin(), faces.end(),
                      [&](std::size_t f) { return place_of(before.faces[f], b).has_value(); });
 }
 
 /// Of two ends that become one: whether another edge leads from both to the same vertex.
 bool share_a_neighbour(const Surface& surface, Label a, Label b, Label other_a, Label other_b) {
-  const std::set<Label>& of_a = surface.neighbours(a);
+  const std::span<const Label> of_a = surface.neighbours(a);
   return std::any_of(of_a.begin(), of_a.end(), [&](Label x) {
     const bool is_the_weld = x == other_a && x == other_b;
-    return !is_the_weld && surface.neighbours(b).count(x) != 0;
+    return !is_the_weld && surface.are_neighbours(b, x);
   });
 }
 
