@@ -18,15 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongWork = 200'000;  // faces, from which on a progress bar is shown
+constexpr std::size_t kLongDecimation =
+    200'000;  // faces, from which on a progress bar is shown
 
-struct Arguments {
+struct Simplification {
   fs::path in;
   fs::path out;
   std::size_t faces = 0;
 };
 
-std::string counts(const PolygonMesh& mesh) {
+std::string counts_of(const PolygonMesh& mesh) {
   return std::to_string(mesh.positions.size()) + " vertices, " +
          std::to_string(mesh.polygons.size()) + " faces";
 }
@@ -52,7 +53,7 @@ void require_manifold_of_triangles(const fs::path& file, const PolygonMesh& mesh
 PolygonMesh decimate_with_progress(const PolygonMesh& mesh, std::size_t faces) {
   ProgressBar bar;
   std::function<void(std::size_t)> progress;
-  if (ProgressBar::is_wanted() && mesh.polygons.size() >= kLongWork) {
+  if (ProgressBar::is_wanted() && mesh.polygons.size() >= kLongDecimation) {
     const double collapses = static_cast<double>(mesh.polygons.size() - faces) / 2;
     progress = [&bar, collapses](std::size_t done) {
       bar.show(std::min(1.0, static_cast<double>(done) / collapses));
@@ -61,7 +62,7 @@ PolygonMesh decimate_with_progress(const PolygonMesh& mesh, std::size_t faces) {
   return openmesh_decimation(mesh, faces, progress);
 }
 
-void simplify_file(const Arguments& arguments) {
+void simplify_file(const Simplification& arguments) {
   require_mesh_format(arguments.out);
   check_outputs({{"-o", arguments.out}}, {arguments.in});
   const LoadedMesh loaded = read_mesh(arguments.in);
@@ -72,12 +73,12 @@ void simplify_file(const Arguments& arguments) {
   const PolygonMesh left =
       is_small ? loaded.mesh : decimate_with_progress(loaded.mesh, arguments.faces);
   write_mesh(arguments.out, left);
-  std::cout << arguments.out.string() << ": " << counts(left);
+  std::cout << arguments.out.string() << ": " << counts_of(left);
   if (is_small) {
     std::cout << ", as they were\n";
     return;
   }
-  std::cout << " (before: " << counts(loaded.mesh) << ")\n";
+  std::cout << " (before: " << counts_of(loaded.mesh) << ")\n";
   if (left.polygons.size() > arguments.faces) {
     std::cout << "note: no edge is left whose collapse would leave a manifold, so there are " +
                      std::string("more faces than ")
@@ -88,7 +89,7 @@ void simplify_file(const Arguments& arguments) {
 }  // namespace
 
 void add_simplify_command(CLI::App& app, int& exit_code) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<Simplification>();
   CLI::App* command = app.add_subcommand(
       "simplify", "Leave fewer triangles of a mesh, where they are missed least");
   command->add_option("input", arguments->in, "The mesh: .obj .off .ply .stl .gltf .glb .dae")

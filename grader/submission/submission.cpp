@@ -59,12 +59,6 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path, error));
 }
 
-/// Whether students of one of the courses hand in a file of this name.
-bool is_homework_name(const fs::path& file) {
-  return file.filename() == "student_code.cpp" ||
-         is_scotty3d_homework_name(file.filename().string());
-}
-
 bool holds_homework(const fs::path& folder) {
   const auto holds = [&](const char* name) {
     std::error_code error;
@@ -247,6 +241,17 @@ void add_header_elsewhere(const fs::path& folder, const SubmissionRules& rules,
   add_file(geometry / "halfedge.h", rules, submission);
 }
 
+/// The number of files is limited: homework goes before the rest, and before meshEdit.cpp, which
+/// is a student's in one course and handed out beside student_code.cpp in the other.
+void first_those_that_count(std::vector<fs::path>& files) {
+  const auto rest = std::stable_partition(files.begin(), files.end(), [](const fs::path& file) {
+    return file.stem() == "student_code";
+  });
+  std::stable_partition(rest, files.end(), [](const fs::path& file) {
+    return is_scotty3d_homework_name(file.filename().string());
+  });
+}
+
 void add_folder(const fs::path& path, const SubmissionRules& rules, int archives,
                 Submission& submission) {
   const fs::path top = unwrap(path);
@@ -254,9 +259,7 @@ void add_folder(const fs::path& path, const SubmissionRules& rules, int archives
   if (archives == 0) submission.folder = folder;
   std::vector<fs::path> found;
   std::vector<fs::path> files = list(folder);
-  std::stable_partition(files.begin(), files.end(), [](const fs::path& file) {
-    return file.stem() == "student_code" || is_homework_name(file);  // the number is limited
-  });
+  first_those_that_count(files);
   for (const fs::path& file : files) {
     std::error_code error;
     if (is_hidden(file)) continue;

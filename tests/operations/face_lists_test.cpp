@@ -1,6 +1,9 @@
 #include "grader/operations/face_lists.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <stdexcept>
 
 #include "tests/support/sample_meshes.h"
 
@@ -36,11 +39,29 @@ TEST(Surface, KnowsSidesNeighboursAndBoundaries) {
   EXPECT_FALSE(surface.is_edge(0, 2));
   EXPECT_TRUE(surface.is_boundary_edge(0, 1));
   EXPECT_FALSE(surface.is_boundary_edge(1, 2));
-  EXPECT_EQ(surface.neighbours(1), (std::set<Label>{0, 2, 4}));
-  EXPECT_EQ(surface.faces_at(2), (std::vector<std::size_t>{0, 1}));
+  EXPECT_THAT(surface.neighbours(1), testing::ElementsAre(0, 2, 4));
+  EXPECT_TRUE(surface.are_neighbours(1, 4));
+  EXPECT_FALSE(surface.are_neighbours(1, 3));
+  EXPECT_THAT(surface.faces_at(2), testing::ElementsAre(0, 1));
+  EXPECT_THROW(surface.faces_at(6), std::out_of_range);
+  EXPECT_THROW(surface.neighbours(6), std::out_of_range);
+  EXPECT_EQ(surface.face_with_side(6, 7), std::nullopt);
   // Outside, the boundary runs the other way round: 0, 3, 2, 5, 4, 1.
   EXPECT_EQ(surface.loop_of(0, 3).size(), 6U);
   EXPECT_EQ(surface.loop_of(1, 0).size(), 6U);
+}
+
+TEST(Surface, CountsTheVerticesOfItsBoundary) {
+  const auto on_boundary = [](const char* file) {
+    const FaceLists lists = face_lists_of(sample_dump(file));
+    const Surface surface(lists);
+    std::size_t n = 0;
+    for (Label v = 0; v < lists.positions.size() + 2; ++v)
+      n += surface.is_boundary(v) ? 1 : 0;
+    return n;
+  };
+  EXPECT_EQ(on_boundary("prism_5.obj"), 0U);
+  EXPECT_EQ(on_boundary("tube_6.obj"), 12U);
 }
 
 TEST(FaceLists, TroubleIsWhatIsNoSurfaceOrADegenerateOne) {
