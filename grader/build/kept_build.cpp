@@ -114,17 +114,20 @@ std::string KeptObjects::digest_of(const SourceFile& file) const {
   return Digest().add(surroundings_).add("file").add(file.name).add(file.text).hex();
 }
 
-std::string KeptObjects::key_of(const std::vector<SourceFile>& unit) const {
+std::string KeptObjects::key_of(const std::vector<SourceFile>& unit,
+                                const std::vector<SourceFile>& spliced) const {
   Digest digest;
   digest.add(surroundings_).add("unit");
   add(unit, digest);
+  add(spliced, digest);
   return digest.hex();
 }
 
-std::optional<CompiledUnit> KeptObjects::find(const std::vector<SourceFile>& unit) const {
+std::optional<CompiledUnit> KeptObjects::find(const std::vector<SourceFile>& unit,
+                                              const std::vector<SourceFile>& spliced) const {
   if (!kept_) return std::nullopt;
   try {
-    const std::optional<std::string> bytes = kept_->files.find(key_of(unit));
+    const std::optional<std::string> bytes = kept_->files.find(key_of(unit, spliced));
     if (bytes) return from_wire<CompiledUnit>(*bytes);
   } catch (const WireError&) {  // of another version: as if it were not there
   }
@@ -132,12 +135,13 @@ std::optional<CompiledUnit> KeptObjects::find(const std::vector<SourceFile>& uni
 }
 
 void KeptObjects::keep(const std::vector<SourceFile>& unit,
+                       const std::vector<SourceFile>& spliced,
                        const CompiledUnit& compiled) const {
   if (!kept_) return;
   std::vector<std::string> digests;
   for (const SourceFile& file : unit)
     digests.push_back(digest_of(file));
-  kept_->files.keep(key_of(unit), to_wire(compiled));
+  kept_->files.keep(key_of(unit, spliced), to_wire(compiled));
   for (const std::string& digest : digests)
     kept_->files.keep(digest, to_wire(digests));
 }

@@ -41,8 +41,11 @@ class KeptObjects {
  public:
   KeptObjects(const Submission& submission, const Home& home, BuildKind kind);
 
-  std::optional<CompiledUnit> find(const std::vector<SourceFile>& unit) const;
-  void keep(const std::vector<SourceFile>& unit, const CompiledUnit& compiled) const;
+  /// @param spliced  the files that the grader's own headers take in, if any
+  std::optional<CompiledUnit> find(const std::vector<SourceFile>& unit,
+                                   const std::vector<SourceFile>& spliced) const;
+  void keep(const std::vector<SourceFile>& unit, const std::vector<SourceFile>& spliced,
+            const CompiledUnit& compiled) const;
 
   /// The files that this one was compiled together with: their digests, in order. Empty if it
   /// is new.
@@ -51,7 +54,8 @@ class KeptObjects {
   std::string digest_of(const SourceFile& file) const;
 
  private:
-  std::string key_of(const std::vector<SourceFile>& unit) const;
+  std::string key_of(const std::vector<SourceFile>& unit,
+                     const std::vector<SourceFile>& spliced) const;
 
   std::shared_ptr<const KeptWork> kept_;
   std::string surroundings_;

@@ -70,6 +70,11 @@ ProcessResult UnitCompiler::compile_adapter(const std::string& name,
 }
 
 ProcessResult UnitCompiler::compile_driver(const std::string& object) const {
+  return kept_or({{"~driver", ""}}, object, [&] { return compile_driver_anew(object); });
+}
+
+ProcessResult UnitCompiler::compile_driver_anew(const std::string& object) const {
+  const StageTimer timer(home_.times.get(), "compile");
   const Workshop workshop(home_, limits_);
   put_headers(workshop);
   const fs::path driver = home_.kit / "driver";
@@ -177,17 +182,25 @@ fs::path UnitCompiler::dropin() const {
 /// @param file  of the unit, or another one that is all of them
 ProcessResult UnitCompiler::run(const std::vector<SourceFile>& unit, const std::string& file,
                                 const std::string& object) const {
-  // What is spliced in is in no digest.
-  if (!splice_.empty()) return run_anew(unit, file, object);
-  if (const auto found = kept_.find(unit)) {
+  return kept_or(unit, object, [&] { return run_anew(unit, file, object); });
+}
+
+/// What was kept of a unit, compiled with the same headers and what is spliced into them, or
+/// what `compile` makes of it.
+template <typename Compile>
+ProcessResult UnitCompiler::kept_or(const std::vector<SourceFile>& unit,
+                                    const std::string& object, const Compile& compile) const {
+  const std::vector<SourceFile> spliced =
+      splice_.empty() ? std::vector<SourceFile>() : splice_.files();
+  if (const auto found = kept_.find(unit, spliced)) {
     write_object(objects_ / object, found->object);
     ProcessResult result;
     result.output = found->messages;
     return result;
   }
-  ProcessResult result = run_anew(unit, file, object);
+  ProcessResult result = compile();
   if (result.ok() && home_.kept)
-    kept_.keep(unit, {result.output, read_whole_file(objects_ / object)});
+    kept_.keep(unit, spliced, {result.output, read_whole_file(objects_ / object)});
   return result;
 }
 

@@ -54,6 +54,10 @@ class UnitCompiler {
                     const std::string& object) const;
   ProcessResult run_anew(const std::vector<SourceFile>& unit, const std::string& file,
                          const std::string& object) const;
+  ProcessResult compile_driver_anew(const std::string& object) const;
+  template <typename Compile>
+  ProcessResult kept_or(const std::vector<SourceFile>& unit, const std::string& object,
+                        const Compile& compile) const;
 
   const Submission& submission_;
   const Home& home_;

@@ -131,8 +131,8 @@ class LocalStepJudge {
     for (Ref v = 0; v < before_.vertices.size() && v < after_.vertices.size(); ++v) {
       const VertexRecord& old = before_.vertices[v];
       const VertexRecord& now = after_.vertices[v];
-      if (old.live != 0 && now.live != 0 && is_kept(v) && old.position != now.position)
-        return v;
+      if (old.live == 0 || now.live == 0 || old.position == now.position) continue;
+      if (is_kept(v)) return v;
     }
     return kUnsetRef;
   }

@@ -80,16 +80,17 @@ class Surface {
   using Begins = std::vector<std::size_t>;
 
   template <typename T>
-  static std::span<const T> row_of(const Begins& begins, const std::vector<T>& all, Label label);
+  static std::span<const T> row_of(const Begins& begins, const std::vector<T>& all,
+                                   Label label);
 
   void find_sides(const FaceLists& lists);
   void find_neighbours(const FaceLists& lists);
   void find_boundary();
 
   std::size_t n_labels_ = 0;
-  Begins sides_begin_;               ///< of the sides that start at a label
-  std::vector<Label> ends_;          ///< of each side
-  std::vector<std::size_t> faces_;   ///< of each side
+  Begins sides_begin_;              ///< of the sides that start at a label
+  std::vector<Label> ends_;         ///< of each side
+  std::vector<std::size_t> faces_;  ///< of each side
   Begins neighbours_begin_;
   std::vector<Label> neighbours_;
   std::vector<bool> is_boundary_;    ///< by label

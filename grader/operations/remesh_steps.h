@@ -48,7 +48,8 @@ int valence_deviation(const FaceLists& lists);
 std::optional<FaceLists> surely_resized(const FaceLists& lists, double longer, double shorter);
 
 /// The first half of it, and the second one.
-/// @param mean  length of the edges before they were split; that of `split` may be taken as well
+/// @param mean  length of the edges before they were split; that of `split` may be taken as
+/// well
 std::optional<FaceLists> surely_split(const FaceLists& lists, double longer);
 std::optional<FaceLists> surely_collapsed(const FaceLists& split, double mean, double shorter);
 

@@ -108,6 +108,29 @@ TEST_F(KeptWorkTest, AChangedHeaderChangesAll) {
   EXPECT_EQ(check(submission).starts.compilers, first.starts.compilers);
 }
 
+TEST_F(KeptWorkTest, WithMembersOfTheStudentsOwnOnlyTheChangedFileIsCompiled) {
+  Submission submission = find_submission(
+      MESHGRADE_SOURCE_DIR "/tests/dropin_scotty3d/homework/of_2026", SubmissionRules{});
+  Assignment assignment = load_assignment("polygon_meshes");
+  std::erase_if(assignment.exercises, [](const ExerciseRubric& rubric) {
+    return rubric.name != "edge_flip_polygon";
+  });
+  const Checked first = check(submission, true, assignment);
+  EXPECT_EQ(first.starts.compilers, 4U);  // two files of the student's, two of the grader's
+  submission.sources.at(0).text += "// saved once more\n";
+  const Checked changed = check(submission, true, assignment);
+  EXPECT_EQ(changed.starts.compilers, 1U);
+  EXPECT_EQ(changed.json, check(submission, false, assignment).json);
+  // Another member changes the classes that all of them see.
+  submission.headers.push_back(
+      {"halfedge.h",
+       "class Halfedge_Mesh {\n  class Vertex {\n    bool is_mine = false;\n"
+       "  };\n};\n"});
+  submission.sources.at(0).text +=
+      "bool mine(Halfedge_Mesh::VertexRef v) { return v->is_mine; }\n";
+  EXPECT_GE(check(submission, true, assignment).starts.compilers, 4U);
+}
+
 TEST_F(KeptWorkTest, WhatOnlyAHeaderCallsIsSeenToHaveChanged) {
   Submission submission = reference();
   submission.headers = {
