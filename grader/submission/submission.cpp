@@ -91,7 +91,10 @@ fs::path enter_course_project(const fs::path& folder) {
   constexpr int kMostDepth = 3;
   constexpr std::size_t kMostFolders = 200;
   if (holds_homework(folder)) return folder;
-  if (is_folder(folder / "src") && holds_homework(folder / "src")) return folder / "src";
+  // Scotty3D has main.cpp beside the last two.
+  for (const char* name : {"src", "student", "geometry"}) {
+    if (is_folder(folder / name) && holds_homework(folder / name)) return folder / name;
+  }
   const std::vector<fs::path> here = list(folder);
   if (std::any_of(here.begin(), here.end(), is_source_name)) return folder;
   std::vector<fs::path> level{folder};
