@@ -180,6 +180,17 @@ void tell_exit(const Outcome& outcome, Finding& finding) {
       "the code ended the whole program (exit status " + std::to_string(outcome.code) + ")";
 }
 
+/// @param what  what the exception says; the words of libstdc++ and libc++
+std::string exception_hint(const std::string& what) {
+  const auto says = [&](const char* words) { return what.find(words) != std::string::npos; };
+  if (says("bad optional access") || says("bad_optional_access"))
+    return "value() of a std::optional that holds nothing: a function that refuses returns "
+           "std::nullopt; ask has_value() first";
+  if (says("range_check") || says("::at") || says("out_of_range") || says("key not found"))
+    return "at() with a place or a key that is not there";
+  return "what throws there, and with which values it is called";
+}
+
 /// All endings but kDone, kFault and kLibraryCheck.
 void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
   Finding finding;
@@ -196,6 +207,7 @@ void judge_ending(const Outcome& outcome, CaseJudgement& judgement) {
     case Ending::kException:
       finding.rule = "exception";
       finding.actual = "an exception left the function: " + outcome.subject;
+      finding.look_at = exception_hint(outcome.subject);
       break;
     default:
       tell_limit(outcome, judgement.verdict, finding);
