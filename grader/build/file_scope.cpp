@@ -291,11 +291,14 @@ bool is_plainly_spelled(const std::string& code) {
 FileScope read_file_scope(std::string_view text) {
   FileScope scope;
   std::string code = code_only(with_directives(text));
-  if (!read_includes(text, code, scope) || !is_plainly_spelled(code)) return scope;
+  const bool has_only_includes = read_includes(text, code, scope);
+  const bool is_plain = is_plainly_spelled(code);
   WordList words = split_code(code);
   for (const std::string& word : words) {
     if (is_name(word)) scope.words.insert(word);
   }
+  scope.has_all_words = is_plain && code.find("$$") == std::string::npos;
+  if (!has_only_includes || !is_plain) return scope;
   const std::set<std::string>& aware = aware_of_file();
   const bool is_aware = std::any_of(aware.begin(), aware.end(), [&](const std::string& word) {
     return is_among(word, scope.words);

@@ -16,7 +16,10 @@ struct FileScope {
   std::set<std::string> includes;  ///< "<cmath>", "\"meshedit/meshedit.h\""
   std::set<std::string> usings;    ///< "using namespace std"
   std::set<std::string> declares;  ///< names of functions, variables, types and namespaces
-  std::set<std::string> words;     ///< all names that it mentions
+  std::set<std::string> words;     ///< the names that it mentions, in macros as well
+  /// False if it may mention others: pieces that a macro puts together, "##", or unusual
+  /// spellings.
+  bool has_all_words = false;
   /// Whether anything of it could run before one of its functions is called: it may hold
   /// variables other than constants, or what looks like one.
   bool acts_at_start = false;

@@ -37,16 +37,18 @@ struct Reach {
   Names gives;
   Names mentions;
   bool is_everywhere = false;
+  bool may_reach_all = false;  ///< it may mention what is not in its words
 };
 
 Reach reach_of(const SourceFile& source) {
   FileScope scope = read_file_scope(source.text);
-  Reach reach{std::move(scope.declares), std::move(scope.words), false};
+  Reach reach{std::move(scope.declares), std::move(scope.words)};
   for (const FunctionExtent& function : find_functions(source.text))
     reach.gives.insert(last_name(function.name));
   reach.is_everywhere = !scope.is_plain || scope.acts_at_start ||
                         have_common(reach.gives, called_by_compilers()) ||
                         have_common(reach.mentions, assembly());
+  reach.may_reach_all = !scope.has_all_words || have_common(reach.mentions, assembly());
   return reach;
 }
 
@@ -79,9 +81,11 @@ std::vector<std::size_t> files_reached(const std::vector<SourceFile>& sources,
       }
     }
   }
+  const bool is_all = std::any_of(reaches.begin(), reaches.end(),
+                                  [](const Reach& reach) { return reach.may_reach_all; });
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < sources.size(); ++i) {
-    if (reached[i]) places.push_back(i);
+    if (is_all || reached[i]) places.push_back(i);
   }
   return places;
 }

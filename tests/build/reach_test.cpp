@@ -60,6 +60,31 @@ TEST(Reach, WhatCouldActWithoutBeingCalledIsInEverything) {
   }
 }
 
+TEST(Reach, OfAFileWithMacrosGoesOnToWhatItCalls) {
+  for (const char* directive :
+       {"#define ON_RIM(x) (x)->isBoundary()\n", "#pragma GCC optimize(\"O2\")\n",
+        "#ifndef PI\n#define PI 3.14\n#endif\n", "#define FLIP flipEdge\n"}) {
+    EXPECT_EQ(reached({kFlipText, kNormalText, directive + kLoop}, "MeshResampler::upsample"),
+              (Places{0, 2}))
+        << directive;
+  }
+  const std::string by_macro =
+      "#define FLIP flipEdge\nvoid MeshResampler::upsample(HalfedgeMesh& m) { m.FLIP({}); }\n";
+  EXPECT_EQ(reached({kFlipText, kNormalText, by_macro}, "MeshResampler::upsample"),
+            (Places{0, 2}));
+}
+
+TEST(Reach, OfWordsThatCannotBeReadIsEverything) {
+  for (const char* text : {"#define CALL(what) what##Edge\n", "void f() { asm(\"nop\"); }\n",
+                           "#define FLIP fl\\\nipEdge\n",
+                           "int gr\xC3\xB6\xC3\x9F"
+                           "e() { return 1; }\n"}) {
+    EXPECT_EQ(reached({kFlipText, kNormalText, text + kLoop}, "MeshResampler::upsample"),
+              (Places{0, 1, 2}))
+        << text;
+  }
+}
+
 TEST(Reach, ConstantsAndTypesDoNotAct) {
   for (const char* text : {"constexpr double kU = 3.0 / 16.0;\n", "struct Corner { int a; };\n",
                            "enum Side { left, right };\n", "using Handle = EdgeIter;\n",

@@ -131,6 +131,22 @@ TEST_F(KeptWorkTest, WithMembersOfTheStudentsOwnOnlyTheChangedFileIsCompiled) {
   EXPECT_GE(check(submission, true, assignment).starts.compilers, 4U);
 }
 
+TEST_F(KeptWorkTest, WhatAFileWithMacrosCallsIsSeenToHaveChanged) {
+  Submission submission = reference();
+  SourceFile& loop = submission.sources.at(4);
+  SourceFile& split = submission.sources.at(3);
+  ASSERT_EQ(loop.name, "loop_subdivision.cpp");
+  ASSERT_EQ(split.name, "edge_split.cpp");
+  loop.text = "#define SIXTH (1.0 / 6.0)\n" + loop.text;
+  const std::string right = split.text;
+  split.text.insert(split.text.find("const HalfedgeIter h = e0->halfedge();"),
+                    "if (e0->isBoundary()) return VertexIter();\n  ");
+  ASSERT_NE(split.text, right);
+  EXPECT_EQ(check(submission).json, check(submission, false).json);
+  split.text = right;
+  EXPECT_EQ(check(submission).json, check(submission, false).json);
+}
+
 TEST_F(KeptWorkTest, WhatOnlyAHeaderCallsIsSeenToHaveChanged) {
   Submission submission = reference();
   submission.headers = {

@@ -11,12 +11,12 @@
 
 #include "grader/base/process.h"
 #include "grader/base/safe_file.h"
-#include "grader/commands/context.h"
 #include "grader/grade/grading.h"
 #include "grader/report/json_report.h"
 #include "grader/report/terminal_report.h"
 #include "grader/submission/function_extents.h"
 #include "tests/dropin/course_project.h"
+#include "tests/support/home_that_keeps.h"
 
 namespace meshgrade {
 namespace {
@@ -49,7 +49,7 @@ Submission hand_in_with(const std::string& part, const std::string& replacement)
 }
 
 Report grade_all(const Submission& submission) {
-  return grade(read_assignment(standard_assignment()), submission, find_home(), {},
+  return grade(read_assignment(standard_assignment()), submission, home_that_keeps(), {},
                [](const std::string&) {});
 }
 

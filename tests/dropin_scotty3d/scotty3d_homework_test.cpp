@@ -5,17 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <ostream>
 #include <string>
 
-#include "grader/commands/context.h"
-#include "grader/commands/kept_work.h"
 #include "grader/grade/dialect_fit.h"
 #include "grader/grade/grading.h"
 #include "grader/report/terminal_report.h"
+#include "tests/support/home_that_keeps.h"
 
 namespace meshgrade {
 namespace {
@@ -28,19 +26,10 @@ Submission scotty3d_hand_in(const std::string& folder) {
   return find_submission(homework / folder, SubmissionRules());
 }
 
-/// Keeps what is compiled, since most tests change one function of the same homework.
-Home home_that_keeps() {
-  Home home = find_home();
-  setenv("XDG_CACHE_HOME", MESHGRADE_KEPT_DIR, 1);
-  keep_work(home);
-  return home;
-}
-
 Report grade_scotty3d(const Submission& submission,
                       const std::vector<std::string>& exercises = {}) {
-  static const Home home = home_that_keeps();
   static const Assignment assignment = load_assignment("polygon_meshes");
-  return grade(assignment, submission, home, exercises, [](const std::string&) {});
+  return grade(assignment, submission, home_that_keeps(), exercises, [](const std::string&) {});
 }
 
 Verdicts scotty3d_verdicts(const Report& report) {

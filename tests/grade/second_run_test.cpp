@@ -9,6 +9,7 @@
 
 #include "grader/grade/grading.h"
 #include "tests/grade/spoiled_reference.h"
+#include "tests/support/home_that_keeps.h"
 #include "tests/support/standard_assignment.h"
 
 namespace meshgrade {
@@ -47,7 +48,7 @@ class SecondRun : public testing::Test {
   SourceFile flip_ = reference_file("edge_flip.cpp");
   SourceFile split_ = reference_file("edge_split.cpp");
   SourceFile loop_ = reference_file("loop_subdivision.cpp");
-  Home home_ = find_home();
+  Home home_ = home_that_keeps();
 };
 
 TEST_F(SecondRun, IsNotNeededWhenAllIsRight) {
