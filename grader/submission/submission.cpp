@@ -244,8 +244,8 @@ void add_header_elsewhere(const fs::path& folder, const SubmissionRules& rules,
   add_file(geometry / "halfedge.h", rules, submission);
 }
 
-/// The number of files is limited: homework goes before the rest, and before meshEdit.cpp, which
-/// is a student's in one course and handed out beside student_code.cpp in the other.
+/// The number of files is limited: homework goes before the rest, and before meshEdit.cpp,
+/// which is a student's in one course and handed out beside student_code.cpp in the other.
 void first_those_that_count(std::vector<fs::path>& files) {
   const auto rest = std::stable_partition(files.begin(), files.end(), [](const fs::path& file) {
     return file.stem() == "student_code";
