@@ -8,6 +8,7 @@
 #include "grader/judge/mesh_scene.h"
 #include "grader/judge/misconception.h"
 #include "grader/judge/pointer_diff.h"
+#include "grader/judge/ring_figure.h"
 #include "grader/judge/surface_figure.h"
 #include "grader/run/outcome.h"
 
@@ -48,6 +49,7 @@ struct Finding {
   Misconceptions likely;          ///< what it probably comes from; the numbers agree
   PointerDiff pointers;           ///< all pointers around a flipped or split edge, or empty
   SurfaceFigure surface;          ///< the subdivided mesh with its wrong vertices, or empty
+  RingFigure ring;                ///< the faces around an operation on polygons, or empty
 };
 
 /// What the judge says about a case.

@@ -80,7 +80,12 @@ class LocalStepJudge {
     } else {
       judge_result();
     }
-    if (task_.explain && !judgement_.findings.empty()) keep_scene();
+    if (!task_.explain || judgement_.findings.empty()) return;
+    keep_scene();
+    const std::optional<LabelMap> known =
+        broken_.empty() ? match_faces(answer_, face_lists_of(after_)) : std::nullopt;
+    judgement_.findings[0].ring =
+        figure_of_ring(before_, picked_, answer_, after_, known, name());
   }
 
  private:

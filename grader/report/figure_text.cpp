@@ -81,6 +81,23 @@ std::string figure_text(const NeighbourhoodFigure& figure) {
          panel_text(figure.yours) + "Expected:\n" + panel_text(figure.expected);
 }
 
+std::string figure_text(const RingFigure& figure) {
+  const auto faces_text = [](const RingPanel& panel, const char* otherwise) {
+    std::string text;
+    for (const RingFace& face : panel.faces) {
+      std::vector<std::string> corners;
+      for (const std::size_t corner : face.corners)
+        corners.push_back(panel.vertices[corner].name);
+      text += "  face " + face.name + (face.name.empty() ? "" : ": ") + join(corners, "-") +
+              (face.differs ? otherwise : "") + "\n";
+    }
+    return text;
+  };
+  return "The faces around " + figure.picked + ".\nBefore:\n" + faces_text(figure.before, "") +
+         "Yours:\n" + faces_text(figure.yours, " (not asked for)") + "Expected:\n" +
+         faces_text(figure.expected, " (missing)");
+}
+
 std::string fault_text(const SurfaceFigure& figure) {
   return figure.is_misplaced ? "in a wrong place" : "with a wrong number of edges";
 }

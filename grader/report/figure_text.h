@@ -5,6 +5,7 @@
 #include <string>
 
 #include "grader/judge/neighbourhood_figure.h"
+#include "grader/judge/ring_figure.h"
 #include "grader/judge/surface_figure.h"
 
 namespace meshgrade {
@@ -21,5 +22,6 @@ std::string fault_text(const SurfaceFigure& figure);
 /// All that the picture shows.
 std::string figure_text(const NeighbourhoodFigure& figure);
 std::string figure_text(const SurfaceFigure& figure);
+std::string figure_text(const RingFigure& figure);
 
 }  // namespace meshgrade

@@ -10,7 +10,8 @@ namespace meshgrade {
 const Finding* pictured_finding(const CaseReport& report);
 
 /// An SVG picture of what is wrong in a case; empty if there is nothing to draw: flips and
-/// splits show before, yours and expected, Loop subdivision the mesh with its wrong vertices.
+/// splits, and operations on polygons, show before, yours and expected, Loop subdivision the
+/// mesh with its wrong vertices.
 ///
 /// It is a whole document that can also stand inside an HTML page: no style sheet, no script, a
 /// ground of its own, and only the ids `<id>-title` and `<id>-desc`. The description tells in

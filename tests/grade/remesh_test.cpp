@@ -107,6 +107,66 @@ const RemeshChange kWronglyRemeshed[] = {
 INSTANTIATE_TEST_SUITE_P(Mistakes, WronglyRemeshed, testing::ValuesIn(kWronglyRemeshed),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
+/// Wrong in what only some of the groups ask for.
+struct RemeshChangeOf {
+  const char* name;
+  const char* group;
+  Edits edits;
+  const char* rule;
+};
+
+std::ostream& operator<<(std::ostream& out, const RemeshChangeOf& change) {
+  return out << change.name;
+}
+
+class WronglyRemeshedInOneGroup : public testing::TestWithParam<RemeshChangeOf> {};
+
+TEST_P(WronglyRemeshedInOneGroup, LosesPointsAndIsToldWhy) {
+  const ExerciseReport report =
+      grade_remeshing(only_groups(kRemeshing, {GetParam().group}), GetParam().edits);
+  EXPECT_LT(report.points, report.max_points);
+  const Finding& finding = first_finding(report);
+  EXPECT_EQ(finding.rule, GetParam().rule) << finding.actual;
+  EXPECT_FALSE(finding.meaning.empty());
+  EXPECT_FALSE(finding.look_at.empty());
+}
+
+const RemeshChangeOf kWronglyRemeshedInOneGroup[] = {
+    {"TakesLimitsOfItsOwn",
+     "flips",
+     {{"parameters.longerFactor * mean", "1.2 * mean"},
+      {"parameters.shorterFactor * mean", "0.8 * mean"}},
+     "vertices"},
+    {"SmoothsOnlyWhereNothingIsCollapsed",
+     "stress",
+     {{"i < parameters.smoothingIterations",
+       "i < (parameters.shorterFactor > 0.0 ? 0 : parameters.smoothingIterations)"}},
+     "round"},
+    {"RemovesFacesWhereACollapseIsRefused",
+     "whole",
+     {{"if (!left) continue;",
+       "if (!left) {\n      mesh.removeFace(e->halfedge()->face());\n      return;\n    }"}},
+     "topology"},
+    {"CollapsesLongEdges",
+     "whole",
+     {{"e->length() >= shortest", "e->length() <= 1.8 * shortest"},
+      {"i < parameters.smoothingIterations", "i < 0 * parameters.smoothingIterations"}},
+     "even-lengths"},
+    {"FlipsAwayFromSixInTheWhole",
+     "whole",
+     {{"after < before", "after > before + 2"},
+      {"i < parameters.smoothingIterations", "i < 0 * parameters.smoothingIterations"}},
+     "even-valences"},
+    {"MovesAlongTheNormalAsWell",
+     "whole",
+     {{"return p + step *", "return p + 0.05 * normal + step *"}},
+     "near-the-surface"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Mistakes, WronglyRemeshedInOneGroup,
+                         testing::ValuesIn(kWronglyRemeshedInOneGroup),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
 class WronglySmoothed : public testing::TestWithParam<RemeshChange> {};
 
 TEST_P(WronglySmoothed, IsNamedAlone) {

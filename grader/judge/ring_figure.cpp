@@ -1,0 +1,258 @@
+#include "grader/judge/ring_figure.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace meshgrade {
+namespace {
+
+constexpr std::size_t kMostFaces = 40;  ///< that are drawn in a panel
+constexpr std::size_t kMostCorners = 64;
+
+/// A face of the student's, by its number.
+struct NumberedFace {
+  Ref face = kUnsetRef;
+  Corners corners;
+};
+
+/// The corners of a face; nothing if its half-edges do not lead around it.
+Corners walk_around(const MeshDump& mesh, const FaceRecord& face) {
+  Corners corners;
+  Ref h = face.halfedge;
+  do {
+    if (h >= mesh.halfedges.size() || corners.size() == kMostCorners) return {};
+    const HalfedgeRecord& record = mesh.halfedges[h];
+    const bool has_vertex =
+        record.vertex < mesh.vertices.size() && mesh.vertices[record.vertex].live != 0;
+    if (record.live == 0 || !has_vertex) return {};
+    corners.push_back(record.vertex);
+    h = record.next;
+  } while (h != face.halfedge);
+  return corners;
+}
+
+std::vector<NumberedFace> faces_of(const MeshDump& mesh) {
+  std::vector<NumberedFace> faces;
+  for (Ref f = 0; f < mesh.faces.size(); ++f) {
+    if (mesh.faces[f].live == 0) continue;
+    Corners corners = walk_around(mesh, mesh.faces[f]);
+    if (!corners.empty()) faces.push_back({f, std::move(corners)});
+  }
+  return faces;
+}
+
+bool has_any(const Corners& corners, const Corners& wanted) {
+  return std::any_of(corners.begin(), corners.end(),
+                     [&](Label corner) { return place_of(wanted, corner).has_value(); });
+}
+
+/// The vertices on the border of some faces, counter-clockwise.
+/// @return nothing if the border is not a single loop that visits each of them once
+Corners border_of(const std::vector<NumberedFace>& faces) {
+  std::set<std::pair<Label, Label>> sides;
+  for (const NumberedFace& face : faces) {
+    for (std::size_t i = 0; i < face.corners.size(); ++i)
+      sides.insert({face.corners[i], face.corners[(i + 1) % face.corners.size()]});
+  }
+  std::map<Label, Label> next;
+  for (const auto& [a, b] : sides) {
+    if (sides.count({b, a}) != 0) continue;
+    if (!next.insert({a, b}).second) return {};
+  }
+  if (next.size() < 3) return {};
+  Corners border = round_of(next);
+  if (border.size() != next.size()) border.clear();
+  return border;
+}
+
+std::multiset<Corners> canonical_all(const std::vector<NumberedFace>& faces) {
+  std::multiset<Corners> all;
+  for (const NumberedFace& face : faces)
+    all.insert(canonical(face.corners));
+  return all;
+}
+
+/// The corners of all faces that have this one.
+std::multiset<Label> around(const std::vector<Corners>& faces, Label label) {
+  std::multiset<Label> found;
+  for (const Corners& face : faces) {
+    if (place_of(face, label)) found.insert(face.begin(), face.end());
+  }
+  return found;
+}
+
+/// The one of these vertices whose faces have the most corners in common with a label's.
+std::optional<Label> nearest(const std::multiset<Label>& wanted,
+                             const std::vector<Corners>& faces, const std::set<Label>& open) {
+  std::optional<Label> best;
+  std::size_t most = 0;
+  for (const Label other : open) {
+    const std::multiset<Label> there = around(faces, other);
+    std::vector<Label> common;
+    std::set_intersection(wanted.begin(), wanted.end(), there.begin(), there.end(),
+                          std::back_inserter(common));
+    if (common.size() <= most) continue;
+    most = common.size();
+    best = other;
+  }
+  return best;
+}
+
+/// Which vertex of the student's stands for each free label: those that look most alike.
+LabelMap guess_free_labels(const Answer& answer, const std::vector<NumberedFace>& yours) {
+  FaceLists actual;
+  std::set<Label> open;
+  for (const NumberedFace& face : yours) {
+    actual.faces.push_back(face.corners);
+    open.insert(face.corners.begin(), face.corners.end());
+  }
+  std::set<Label> free;
+  for (const Corners& face : answer.after.faces) {
+    for (const Label label : face) {
+      if (label < answer.first_free) {
+        open.erase(label);
+      } else {
+        free.insert(label);
+      }
+    }
+  }
+  LabelMap map;
+  for (const Label label : free) {
+    const auto found = nearest(around(answer.after.faces, label), actual.faces, open);
+    if (!found) continue;
+    map[label] = *found;
+    open.erase(*found);
+  }
+  return map;
+}
+
+class RingPainter {
+ public:
+  RingPainter(const MeshDump& before, const Picked& picked, const Answer& answer,
+              const MeshDump& after)
+      : picked_(picked), answer_(answer), yours_(faces_of(after)) {
+    Corners corners = picked.corners;
+    corners.insert(corners.end(), picked.partner.begin(), picked.partner.end());
+    for (const NumberedFace& face : faces_of(before))
+      (has_any(face.corners, corners) ? ring_ : outside_).push_back(face);
+    leave_out_a_face(corners);
+    rim_ = border_of(ring_);
+    far_ = canonical_all(outside_);
+  }
+
+  RingFigure figure(const std::optional<LabelMap>& known, const std::string& name) {
+    RingFigure figure;
+    if (rim_.empty() || ring_.size() > kMostFaces) return figure;
+    const LabelMap free = known ? *known : guess_free_labels(answer_, yours_);
+    std::vector<NumberedFace> wanted;
+    for (const Corners& face : answer_.after.faces)
+      wanted.push_back({kUnsetRef, renamed(face, free)});
+    figure.before = panel_of(ring_, canonical_all(ring_));
+    figure.yours = panel_of(near(yours_), canonical_all(wanted));
+    figure.expected = panel_of(near(wanted), canonical_all(yours_));
+    const bool is_readable =
+        figure.yours.faces.size() <= kMostFaces && figure.expected.faces.size() <= kMostFaces;
+    figure.rim = is_readable ? rim_.size() : 0;
+    figure.picked = name;
+    return figure;
+  }
+
+ private:
+  /// Where all of a closed mesh is in the ring, a face that has little to do with it is what
+  /// the rim lies around.
+  void leave_out_a_face(const Corners& picked) {
+    if (!outside_.empty() || !border_of(ring_).empty()) return;
+    const auto share = [&](const NumberedFace& face) {
+      return std::count_if(face.corners.begin(), face.corners.end(),
+                           [&](Label corner) { return place_of(picked, corner).has_value(); });
+    };
+    const auto least = std::min_element(
+        ring_.begin(), ring_.end(),
+        [&](const NumberedFace& a, const NumberedFace& b) { return share(a) < share(b); });
+    if (least == ring_.end()) return;
+    outside_.push_back(*least);
+    ring_.erase(least);
+  }
+
+  Corners renamed(Corners corners, const LabelMap& free) const {
+    for (Label& label : corners) {
+      const auto found = free.find(label);
+      if (found != free.end()) {
+        label = found->second;
+      } else if (label >= answer_.first_free) {
+        label |= kNobody;
+      }
+    }
+    return corners;
+  }
+
+  /// All but the faces that lay outside of the ring and are still there.
+  std::vector<NumberedFace> near(const std::vector<NumberedFace>& faces) const {
+    std::multiset<Corners> far = far_;
+    std::vector<NumberedFace> chosen;
+    for (const NumberedFace& face : faces) {
+      const auto found = far.find(canonical(face.corners));
+      if (found != far.end()) {
+        far.erase(found);
+      } else {
+        chosen.push_back(face);
+      }
+    }
+    return chosen;
+  }
+
+  /// @param others  faces of which each of these should be one
+  RingPanel panel_of(const std::vector<NumberedFace>& faces, std::multiset<Corners> others) {
+    RingPanel panel;
+    std::map<Label, std::size_t> places;
+    for (const NumberedFace& face : faces) {
+      RingFace& shown = panel.faces.emplace_back();
+      if (face.face != kUnsetRef) shown.name = face_name(face.face);
+      for (const Label label : face.corners) {
+        const auto [place, is_new] = places.insert({label, panel.vertices.size()});
+        if (is_new) panel.vertices.push_back(vertex_of(label));
+        shown.corners.push_back(place->second);
+      }
+      const Corners its = canonical(face.corners);
+      shown.is_picked = its == canonical(picked_.corners) || its == partner();
+      const auto found = others.find(its);
+      shown.differs = found == others.end();
+      if (found != others.end()) others.erase(found);
+    }
+    return panel;
+  }
+
+  Corners partner() const {
+    return picked_.partner.empty() ? Corners() : canonical(picked_.partner);
+  }
+
+  RingVertex vertex_of(Label label) const {
+    RingVertex vertex;
+    vertex.name = (label & kNobody) != 0 ? "new" : vertex_name(label);
+    if (const auto place = place_of(rim_, label)) vertex.rim = *place;
+    vertex.is_picked = place_of(picked_.corners, label) || place_of(picked_.partner, label);
+    return vertex;
+  }
+
+  static constexpr Label kNobody = 1U << 31;  ///< of labels that no vertex stands for
+
+  const Picked& picked_;
+  const Answer& answer_;
+  std::vector<NumberedFace> yours_;
+  std::vector<NumberedFace> ring_;
+  std::vector<NumberedFace> outside_;
+  Corners rim_;
+  std::multiset<Corners> far_;
+};
+
+}  // namespace
+
+RingFigure figure_of_ring(const MeshDump& before, const Picked& picked, const Answer& answer,
+                          const MeshDump& after, const std::optional<LabelMap>& known,
+                          const std::string& name) {
+  return RingPainter(before, picked, answer, after).figure(known, name);
+}
+
+}  // namespace meshgrade
