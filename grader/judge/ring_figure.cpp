@@ -83,47 +83,56 @@ std::multiset<Label> around(const std::vector<Corners>& faces, Label label) {
   return found;
 }
 
-/// The one of these vertices whose faces have the most corners in common with a label's.
-std::optional<Label> nearest(const std::multiset<Label>& wanted,
-                             const std::vector<Corners>& faces, const std::set<Label>& open) {
-  std::optional<Label> best;
-  std::size_t most = 0;
-  for (const Label other : open) {
-    const std::multiset<Label> there = around(faces, other);
-    std::vector<Label> common;
-    std::set_intersection(wanted.begin(), wanted.end(), there.begin(), there.end(),
-                          std::back_inserter(common));
-    if (common.size() <= most) continue;
-    most = common.size();
-    best = other;
+/// A free label and a vertex of the student's that may stand for it.
+struct Likeness {
+  std::size_t common = 0;  ///< corners that their faces have in common
+  Label label = 0;
+  Label vertex = 0;
+};
+
+std::vector<Likeness> likenesses(const Answer& answer, const std::vector<Corners>& yours) {
+  std::set<Label> free;
+  std::set<Label> open;
+  for (const Corners& face : yours)
+    open.insert(face.begin(), face.end());
+  for (const Corners& face : answer.after.faces) {
+    for (const Label label : face) {
+      if (label >= answer.first_free) {
+        free.insert(label);
+      } else {
+        open.erase(label);
+      }
+    }
   }
-  return best;
+  std::vector<Likeness> all;
+  for (const Label label : free) {
+    const std::multiset<Label> wanted = around(answer.after.faces, label);
+    for (const Label vertex : open) {
+      const std::multiset<Label> there = around(yours, vertex);
+      std::vector<Label> common;
+      std::set_intersection(wanted.begin(), wanted.end(), there.begin(), there.end(),
+                            std::back_inserter(common));
+      all.push_back({common.size(), label, vertex});
+    }
+  }
+  return all;
 }
 
 /// Which vertex of the student's stands for each free label: those that look most alike.
 LabelMap guess_free_labels(const Answer& answer, const std::vector<NumberedFace>& yours) {
-  FaceLists actual;
-  std::set<Label> open;
-  for (const NumberedFace& face : yours) {
-    actual.faces.push_back(face.corners);
-    open.insert(face.corners.begin(), face.corners.end());
-  }
-  std::set<Label> free;
-  for (const Corners& face : answer.after.faces) {
-    for (const Label label : face) {
-      if (label < answer.first_free) {
-        open.erase(label);
-      } else {
-        free.insert(label);
-      }
-    }
-  }
+  std::vector<Corners> faces;
+  for (const NumberedFace& face : yours)
+    faces.push_back(face.corners);
+  std::vector<Likeness> all = likenesses(answer, faces);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Likeness& a, const Likeness& b) { return a.common > b.common; });
   LabelMap map;
-  for (const Label label : free) {
-    const auto found = nearest(around(answer.after.faces, label), actual.faces, open);
-    if (!found) continue;
-    map[label] = *found;
-    open.erase(*found);
+  std::set<Label> taken;
+  for (const Likeness& likeness : all) {
+    const bool is_open = map.count(likeness.label) == 0 && taken.count(likeness.vertex) == 0;
+    if (likeness.common == 0 || !is_open) continue;
+    map[likeness.label] = likeness.vertex;
+    taken.insert(likeness.vertex);
   }
   return map;
 }

@@ -34,7 +34,8 @@ ExerciseReport grade_remeshing(const Assignment& assignment, const Edits& edits,
   Submission submission;
   submission.name = "test";
   submission.sources = {edited(kRemeshing, edits)};
-  for (const char* needed : {"edge_flip_polygon", "edge_split_polygon", "edge_collapse"})
+  for (const char* needed :
+       {"edge_flip_polygon", "edge_split_polygon", "edge_collapse", "face_remove"})
     submission.sources.push_back(edited(needed, needed == wrong ? wrong_edits : Edits{}));
   const Report report =
       grade(assignment, submission, home, {kRemeshing}, [](const std::string&) {});
@@ -159,7 +160,7 @@ const RemeshChangeOf kWronglyRemeshedInOneGroup[] = {
      "even-valences"},
     {"MovesAlongTheNormalAsWell",
      "whole",
-     {{"return p + step *", "return p + 0.05 * normal + step *"}},
+     {{"return p + step *", "return p + 0.2 * normal + step *"}},
      "near-the-surface"},
 };
 
