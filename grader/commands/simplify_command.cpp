@@ -59,7 +59,7 @@ PolygonMesh decimate_with_progress(const PolygonMesh& mesh, std::size_t faces) {
       bar.show(std::min(1.0, static_cast<double>(done) / collapses));
     };
   }
-  return openmesh_decimation(mesh, faces, progress);
+  return outline_keeping_decimation(mesh, faces, progress);
 }
 
 void simplify_file(const Simplification& arguments) {
@@ -80,9 +80,9 @@ void simplify_file(const Simplification& arguments) {
   }
   std::cout << " (before: " << counts_of(loaded.mesh) << ")\n";
   if (left.polygons.size() > arguments.faces) {
-    std::cout << "note: no edge is left whose collapse would leave a manifold, so there are " +
-                     std::string("more faces than ")
-              << arguments.faces << "\n";
+    std::cout
+        << "note: no edge is left that can be collapsed without harm to the surface or its "
+        << "boundaries, so there are more faces than " << arguments.faces << "\n";
   }
 }
 
@@ -101,7 +101,9 @@ void add_simplify_command(CLI::App& app, int& exit_code) {
       ->required();
   command->footer(
       "Edges are collapsed by OpenMesh's decimater, those of the least quadric error first\n"
-      "(Garland and Heckbert 1997), each to one of its ends.\n"
+      "(Garland and Heckbert 1997), each to one of its ends. Boundaries stay where they are, "
+      "and\n"
+      "no triangle turns over.\n"
       "Examples:\n"
       "  meshgrade simplify scan.stl --faces 5000 -o small.stl\n"
       "  meshgrade simplify statue.glb --faces 300 -o statue.obj\n"
