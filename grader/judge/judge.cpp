@@ -186,7 +186,7 @@ std::string exception_hint(const std::string& what) {
   if (says("bad optional access") || says("bad_optional_access"))
     return "value() of a std::optional that holds nothing: a function that refuses returns "
            "std::nullopt; ask has_value() first";
-  if (says("range_check") || says("::at") || says("out_of_range") || says("key not found"))
+  if (says("_M_range_check") || says("::at:") || what.ends_with("::at"))
     return "at() with a place or a key that is not there";
   return "what throws there, and with which values it is called";
 }

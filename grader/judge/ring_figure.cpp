@@ -75,10 +75,10 @@ std::multiset<Corners> canonical_all(const std::vector<NumberedFace>& faces) {
 }
 
 /// The corners of all faces that have this one.
-std::multiset<Label> around(const std::vector<Corners>& faces, Label label) {
+std::multiset<Label> around(const std::vector<NumberedFace>& faces, Label label) {
   std::multiset<Label> found;
-  for (const Corners& face : faces) {
-    if (place_of(face, label)) found.insert(face.begin(), face.end());
+  for (const NumberedFace& face : faces) {
+    if (place_of(face.corners, label)) found.insert(face.corners.begin(), face.corners.end());
   }
   return found;
 }
@@ -90,14 +90,15 @@ struct Likeness {
   Label vertex = 0;
 };
 
-std::vector<Likeness> likenesses(const Answer& answer, const std::vector<Corners>& yours) {
+std::vector<Likeness> likenesses(Label first_free, const std::vector<NumberedFace>& asked,
+                                 const std::vector<NumberedFace>& yours) {
   std::set<Label> free;
   std::set<Label> open;
-  for (const Corners& face : yours)
-    open.insert(face.begin(), face.end());
-  for (const Corners& face : answer.after.faces) {
-    for (const Label label : face) {
-      if (label >= answer.first_free) {
+  for (const NumberedFace& face : yours)
+    open.insert(face.corners.begin(), face.corners.end());
+  for (const NumberedFace& face : asked) {
+    for (const Label label : face.corners) {
+      if (label >= first_free) {
         free.insert(label);
       } else {
         open.erase(label);
@@ -106,7 +107,7 @@ std::vector<Likeness> likenesses(const Answer& answer, const std::vector<Corners
   }
   std::vector<Likeness> all;
   for (const Label label : free) {
-    const std::multiset<Label> wanted = around(answer.after.faces, label);
+    const std::multiset<Label> wanted = around(asked, label);
     for (const Label vertex : open) {
       const std::multiset<Label> there = around(yours, vertex);
       std::vector<Label> common;
@@ -119,11 +120,9 @@ std::vector<Likeness> likenesses(const Answer& answer, const std::vector<Corners
 }
 
 /// Which vertex of the student's stands for each free label: those that look most alike.
-LabelMap guess_free_labels(const Answer& answer, const std::vector<NumberedFace>& yours) {
-  std::vector<Corners> faces;
-  for (const NumberedFace& face : yours)
-    faces.push_back(face.corners);
-  std::vector<Likeness> all = likenesses(answer, faces);
+LabelMap guess_free_labels(Label first_free, const std::vector<NumberedFace>& asked,
+                           const std::vector<NumberedFace>& yours) {
+  std::vector<Likeness> all = likenesses(first_free, asked, yours);
   std::stable_sort(all.begin(), all.end(),
                    [](const Likeness& a, const Likeness& b) { return a.common > b.common; });
   LabelMap map;
@@ -153,17 +152,21 @@ class RingPainter {
 
   RingFigure figure(const std::optional<LabelMap>& known, const std::string& name) {
     RingFigure figure;
-    if (rim_.empty() || ring_.size() > kMostFaces) return figure;
-    const LabelMap free = known ? *known : guess_free_labels(answer_, yours_);
-    std::vector<NumberedFace> wanted;
+    const std::vector<NumberedFace> yours = near(yours_);
+    std::vector<NumberedFace> asked;
     for (const Corners& face : answer_.after.faces)
-      wanted.push_back({kUnsetRef, renamed(face, free)});
+      asked.push_back({kUnsetRef, face});
+    asked = near(asked);
+    // What has no end of faces is not compared either: that would take its time.
+    const std::size_t most = std::max({ring_.size(), yours.size(), asked.size()});
+    if (rim_.empty() || most > kMostFaces) return figure;
+    const LabelMap free = known ? *known : guess_free_labels(answer_.first_free, asked, yours);
+    for (NumberedFace& face : asked)
+      face.corners = renamed(std::move(face.corners), free);
     figure.before = panel_of(ring_, canonical_all(ring_));
-    figure.yours = panel_of(near(yours_), canonical_all(wanted));
-    figure.expected = panel_of(near(wanted), canonical_all(yours_));
-    const bool is_readable =
-        figure.yours.faces.size() <= kMostFaces && figure.expected.faces.size() <= kMostFaces;
-    figure.rim = is_readable ? rim_.size() : 0;
+    figure.yours = panel_of(yours, canonical_all(asked));
+    figure.expected = panel_of(asked, canonical_all(yours));
+    figure.rim = rim_.size();
     figure.picked = name;
     return figure;
   }

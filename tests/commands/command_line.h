@@ -60,6 +60,12 @@ class CommandLine : public testing::Test {
   }
 
   static std::string reference() { return MESHGRADE_SOURCE_DIR "/reference"; }
+  /// One of the meshes that come along.
+  static std::string given(const std::string& mesh) {
+    return MESHGRADE_SOURCE_DIR "/meshes/" + mesh;
+  }
+  /// A file of this test's folder, to be written.
+  std::string result(const std::string& name) const { return (folder_ / name).string(); }
   static std::string wrong(const std::string& name) {
     return MESHGRADE_SOURCE_DIR "/tests/submissions/wrong/" + name;
   }

@@ -13,13 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class SimplifyCommand : public CommandLine {
- protected:
-  static std::string given(const std::string& name) {
-    return MESHGRADE_SOURCE_DIR "/meshes/" + name;
-  }
-  std::string result(const std::string& name) const { return (folder_ / name).string(); }
-};
+using SimplifyCommand = CommandLine;
 
 TEST_F(SimplifyCommand, LeavesSoManyFacesOfTheSameTopologyAndOnlyGivenPoints) {
   const std::string fine = result("fine.obj");

@@ -13,13 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-class SubdivideCommand : public CommandLine {
- protected:
-  static std::string given(const std::string& name) {
-    return MESHGRADE_SOURCE_DIR "/meshes/" + name;
-  }
-  std::string result(const std::string& name) const { return (folder_ / name).string(); }
-};
+using SubdivideCommand = CommandLine;
 
 TEST_F(SubdivideCommand, CatmullClarkTakesPolygonsAndMakesQuadrilaterals) {
   const std::string out = result("ball.obj");
